@@ -74,15 +74,25 @@ radiosity::Discretization shownDiscretization(const RenderOptions& options, cons
   return discretizationOf(asSolved ? subject.solved->grids(subject.scene) : options.discretization, subject.scene);
 }
 
+double exposureOf(const RenderOptions& options, const SolvedFolder& solved) {
+  return options.camera.exposure.value_or(solved.exposure());
+}
+
+/// The background of pictures of the light.
+glm::dvec3 skyOf(const RenderOptions& options, const SolvedFolder& solved) {
+  return radiosity::skyColour(solved.sky(), exposureOf(options, solved));
+}
+
 /// The light in display textures, with bilinear interpolation.
 Image radiosityView(const RenderOptions& options, const Subject& subject, Console& console) {
   const int width = options.camera.width, height = options.camera.height;
   if (!subject.solved) console.message("the scene is not solved; the picture shows its reflectances");
-  if (!subject.solved || !options.camera.exposure)
-    return radiosity::unlitPicture(subject.scene, subject.camera, width, height);
+  if (!subject.solved) return radiosity::unlitPicture(subject.scene, subject.camera, width, height);
+  const glm::dvec3 sky = skyOf(options, *subject.solved);
+  if (!options.camera.exposure) return radiosity::unlitPicture(subject.scene, subject.camera, width, height, sky);
   radiosity::Scene exposed = subject.scene;
   subject.solved->expose(exposed, *options.camera.exposure);
-  return radiosity::unlitPicture(exposed, subject.camera, width, height);
+  return radiosity::unlitPicture(exposed, subject.camera, width, height, sky);
 }
 
 /// The light of each element, without filtering (Figure 3).
@@ -92,10 +102,10 @@ Image elementView(const RenderOptions& options, const Subject& subject, Console&
                              "solve it first, then render scene.obj of its folder without options for texels");
   const radiosity::Discretization discretization = shownDiscretization(options, subject);
   const std::vector<glm::dvec3> radiosity = subject.solved->radiosity(discretization);
-  const double exposure = options.camera.exposure.value_or(subject.solved->exposure());
+  const double exposure = exposureOf(options, *subject.solved);
   const auto colours = [&](std::uint32_t element) { return radiosity[element] * exposure; };
   return radiosity::elementPicture(subject.scene, discretization, colours, subject.camera, options.camera.width,
-                                   options.camera.height);
+                                   options.camera.height, skyOf(options, *subject.solved));
 }
 
 /// Index maps, offsets, or item IDs, which are their sums (Figure 2 (a) to (c)).

@@ -61,6 +61,7 @@ std::optional<SolvedFolder> SolvedFolder::around(const std::filesystem::path& sc
     solved.settings_.patch = settings.at("patch").get<int>();
     if (const json& size = settings.at("texel_size"); !size.is_null()) solved.settings_.texelSize = size.get<double>();
     solved.exposure_ = settings.at("exposure").get<double>();
+    if (settings.contains("sky")) solved.sky_ = reference::vectorAt(settings, "sky");
     // The lit scene has one group per surface, in order. A group without a chart may have several planar parts.
     const json& surfaces = solution.at("surfaces");
     for (const std::uint32_t family : familiesOf(scene).ofSurface) {

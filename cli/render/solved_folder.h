@@ -29,6 +29,8 @@ class SolvedFolder {
   void expose(radiosity::Scene& scene, double exposure) const;
   /// The exposure of the display textures.
   double exposure() const { return exposure_; }
+  /// The irradiance of its sky in W/m^2; 0 without one.
+  glm::dvec3 sky() const { return sky_; }
 
  private:
   /// The place of a surface in its texture (see radiosity::TexturePlace), and its grid; all in texels.
@@ -43,6 +45,7 @@ class SolvedFolder {
   std::vector<Place> places_;  ///< one per surface of the scene
   radiosity::DiscretizationSettings settings_;
   double exposure_ = 1;
+  glm::dvec3 sky_{0.0};
 };
 
 }  // namespace hemitex::cli

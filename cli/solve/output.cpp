@@ -56,14 +56,14 @@ radiosity::ElementValues displayed(const SolvedScene& solved) {
   };
 }
 
-/// The picture of the lit scene; without it, of the light of each element, without filtering.
+/// The picture of the lit scene in front of its sky; without textures, of the light of each element, without filtering.
 radiosity::Image pictureOf(const SolvedScene& solved, const std::optional<radiosity::LitScene>& lit) {
   const int width = solved.options.camera.width, height = solved.options.camera.height;
-  if (lit) return radiosity::unlitPicture(*lit, solved.camera, width, height);
-  const auto colours = [light = displayed(solved), exposure = exposureOf(solved)](std::uint32_t element) {
-    return light(element) * exposure;
-  };
-  return radiosity::elementPicture(solved.scene, solved.discretization, colours, solved.camera, width, height);
+  const double exposure = exposureOf(solved);
+  const glm::dvec3 sky = radiosity::skyColour(solved.scene.outside.sky, exposure);
+  if (lit) return radiosity::unlitPicture(*lit, solved.camera, width, height, sky);
+  const auto colours = [&, light = displayed(solved)](std::uint32_t element) { return light(element) * exposure; };
+  return radiosity::elementPicture(solved.scene, solved.discretization, colours, solved.camera, width, height, sky);
 }
 
 }  // namespace

@@ -84,12 +84,15 @@ std::uint32_t elementAt(const Scene& scene, const Discretization& discretization
                              static_cast<std::size_t>(column)];
 }
 
-Image drawPicture(const Scene& scene, const Camera& camera, int width, int height, const ColourOf& colourOf) {
+Image drawPicture(const Scene& scene, const Camera& camera, int width, int height, const ColourOf& colourOf,
+                  const glm::dvec3& background) {
   std::vector<glm::dvec3> colours;
   for (const std::optional<Visible>& visible : seeTwice(scene, camera, width, height))
-    colours.push_back(visible ? colourOf(*visible) : glm::dvec3(0.0));
+    colours.push_back(visible ? colourOf(*visible) : background);
   return halved(colours, width, height);
 }
+
+glm::dvec3 skyColour(const glm::dvec3& sky, double exposure) { return glm::min(sky * exposure, glm::dvec3(1.0)); }
 
 glm::dvec3 unlitColour(const Scene& scene, const Visible& visible, const MapColour& mapColour) {
   const Material& material = scene.materials[static_cast<std::size_t>(scene.surfaces[visible.surface].material)];
@@ -110,14 +113,16 @@ glm::dvec3 unlitColour(const Scene& scene, const Visible& visible) {
                      [&](std::size_t image, const glm::dvec2& uv) { return bilinear(scene.images[image], uv); });
 }
 
-Image unlitPicture(const Scene& scene, const Camera& camera, int width, int height) {
-  return drawPicture(scene, camera, width, height, [&](const Visible& visible) { return unlitColour(scene, visible); });
+Image unlitPicture(const Scene& scene, const Camera& camera, int width, int height, const glm::dvec3& background) {
+  return drawPicture(
+      scene, camera, width, height, [&](const Visible& visible) { return unlitColour(scene, visible); }, background);
 }
 
 Image elementPicture(const Scene& scene, const Discretization& discretization, const ElementValues& values,
-                     const Camera& camera, int width, int height) {
-  return drawPicture(scene, camera, width, height,
-                     [&](const Visible& visible) { return values(elementAt(scene, discretization, visible)); });
+                     const Camera& camera, int width, int height, const glm::dvec3& background) {
+  return drawPicture(
+      scene, camera, width, height,
+      [&](const Visible& visible) { return values(elementAt(scene, discretization, visible)); }, background);
 }
 
 Image wireframePicture(const Scene& scene, const Camera& camera, int width, int height) {

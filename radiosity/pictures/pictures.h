@@ -20,9 +20,15 @@ std::uint32_t elementAt(const Scene& scene, const Discretization& discretization
 /// The linear colour of the visible point of a sample.
 using ColourOf = std::function<glm::dvec3(const Visible&)>;
 
-/// A picture with 2 x 2 samples per pixel, averaged in linear light, on black. Throws InputError for sides above 2048
-/// pixels, and as cameraFace.
-Image drawPicture(const Scene& scene, const Camera& camera, int width, int height, const ColourOf& colourOf);
+/// A picture with 2 x 2 samples per pixel, averaged in linear light. Samples without a surface have the colour
+/// `background`. Throws InputError for sides above 2048 pixels, and as cameraFace.
+Image drawPicture(const Scene& scene, const Camera& camera, int width, int height, const ColourOf& colourOf,
+                  const glm::dvec3& background = glm::dvec3(0.0));
+
+/// The background of a lit picture: the sky as a surface of its radiance would show, whose radiosity equals the
+/// irradiance `sky`; at most 1, as texels are, so that the edges of a window stay smooth. Suns have no extent and do
+/// not show.
+glm::dvec3 skyColour(const glm::dvec3& sky, double exposure);
 
 /// The colour in a viewer without lights: Kd times map_Kd, bilinear between texel centres and repeating. It is
 /// multiplied by the interpolated corner colours if the file has them (`v x y z r g b`, sRGB-encoded).
@@ -32,11 +38,12 @@ using MapColour = std::function<glm::dvec3(std::size_t map, const glm::dvec2& uv
 glm::dvec3 unlitColour(const Scene& scene, const Visible& visible, const MapColour& mapColour);
 
 /// The scene in its unlit colours; for a solved scene (see writeLitScene) that is its light.
-Image unlitPicture(const Scene& scene, const Camera& camera, int width, int height);
+Image unlitPicture(const Scene& scene, const Camera& camera, int width, int height,
+                   const glm::dvec3& background = glm::dvec3(0.0));
 
 /// One value per element, without filtering: a solution after a one-to-one mapping (Figure 3).
 Image elementPicture(const Scene& scene, const Discretization& discretization, const ElementValues& values,
-                     const Camera& camera, int width, int height);
+                     const Camera& camera, int width, int height, const glm::dvec3& background = glm::dvec3(0.0));
 
 /// Figure 2 (d): the borders of the file's polygons, hidden lines removed, black on white.
 Image wireframePicture(const Scene& scene, const Camera& camera, int width, int height);

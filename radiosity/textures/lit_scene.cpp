@@ -141,10 +141,11 @@ LitScene makeLitScene(const Scene& scene, const Discretization& discretization, 
   return lit;
 }
 
-Image unlitPicture(const LitScene& lit, const Camera& camera, int width, int height) {
+Image unlitPicture(const LitScene& lit, const Camera& camera, int width, int height, const glm::dvec3& background) {
   const auto mapColour = [&](std::size_t map, const glm::dvec2& uv) { return bilinear(lit.textures[map], uv); };
-  return drawPicture(lit.scene, camera, width, height,
-                     [&](const Visible& visible) { return unlitColour(lit.scene, visible, mapColour); });
+  return drawPicture(
+      lit.scene, camera, width, height,
+      [&](const Visible& visible) { return unlitColour(lit.scene, visible, mapColour); }, background);
 }
 
 std::vector<std::string> writeLitScene(const std::filesystem::path& folder, const LitScene& lit,

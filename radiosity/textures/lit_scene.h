@@ -32,7 +32,8 @@ LitScene makeLitScene(const Scene& scene, const Discretization& discretization, 
                       const std::vector<glm::dvec3>& displayed, double exposure, TextureFilter filter);
 
 /// The picture that unlitPicture makes of the scene that is read again.
-Image unlitPicture(const LitScene& lit, const Camera& camera, int width, int height);
+Image unlitPicture(const LitScene& lit, const Camera& camera, int width, int height,
+                   const glm::dvec3& background = glm::dvec3(0.0));
 
 /// Writes into `folder`, which exists: scene.obj, scene.mtl, scene.glb and per texture NAME.png, the display texture,
 /// and NAME.exr, the linear `radiosity` of the elements in W/m^2, one texel per texel of the grid. Triangles are

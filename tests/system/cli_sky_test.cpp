@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "radiosity/images/image.h"
 #include "tests/support/shell.h"
 
 using namespace hemitex::tests;
@@ -54,6 +55,36 @@ TEST_CASE("hemitex solve --sun lights a plane with the cosine of its incidence",
   CHECK(solution["energy"]["sky_on_backs"][0].get<double>() == Approx(4 * 1).epsilon(0.005));
   CHECK(solution["settings"]["sun"][0]["irradiance"] == json({10.0, 5.0, 0.0}));
   CHECK(solution["settings"]["sun"][1]["towards"] == json({0.0, 0.0, -1.0}));
+}
+
+TEST_CASE("hemitex solve and render show the sky behind the scene", "[cli]") {
+  const Shell shell;
+  writeGround(shell);
+  const std::string camera = " --eye 0,0,3 --look-at 0,0,0 --fov 90 --size 40x30 ";
+  const auto corner = [&](const std::string& picture) {
+    return hemitex::radiosity::readImage(shell.file(picture)).pixels.front();
+  };
+  const auto shown = [](const glm::dvec3& linear) {
+    glm::dvec3 colour;
+    for (int band = 0; band < 3; ++band)
+      colour[band] = hemitex::radiosity::decodeSrgb(hemitex::radiosity::encodeSrgb(linear[band]) / 255.0);
+    return colour;
+  };
+  const std::string textures = GENERATE("", "--no-textures ");
+  shell.output("solve ground.obj -o out --sky 3,2,1 --exposure 0.25 " + textures + camera);
+  CHECK(corner("out/render.png") == shown({0.75, 0.5, 0.25}));
+  if (textures.empty()) {
+    shell.output("render out/scene.obj -o again.png" + camera);
+    const bool isSame = readAll(shell.file("again.png")) == readAll(shell.file("out/render.png"));
+    CHECK(isSame);
+    for (const std::string show : {"radiosity", "elements"}) {
+      shell.output("render out/scene.obj -o brighter.png --exposure 0.5 --show " + show + camera);
+      CHECK(corner("brighter.png") == shown({1, 1, 0.5}));
+    }
+  }
+  // A sun has no extent.
+  shell.output("solve ground.obj -o sun --sun 0,0,1=3,2,1 --exposure 0.25 " + textures + camera);
+  CHECK(corner("sun/render.png") == glm::dvec3(0));
 }
 
 TEST_CASE("hemitex solve --lights reads the sky and the sun, and options override them", "[cli]") {

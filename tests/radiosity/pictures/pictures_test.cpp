@@ -68,6 +68,22 @@ std::uint64_t hashOf(const Image& image) {
 
 }  // namespace
 
+TEST_CASE("drawPicture shows the background where it sees no surface, and averages it at edges", "[picture]") {
+  // The quad covers the left half of the picture and half of a pixel more.
+  const Scene scene = sceneOf({parallelogram("left", {-1, -1, 0}, {1.0 + 1.0 / 16, 0, 0}, {0, 2, 0}), farAway()});
+  const glm::dvec3 sky(0.25, 0.5, 1);
+  const Image picture = drawPicture(
+      scene, straight, 16, 16, [](const Visible&) { return glm::dvec3(1, 0, 0); }, sky);
+  CHECK(pixelAt(picture, 7, 3) == red);
+  CHECK(pixelAt(picture, 8, 3) == (red + sky) / 2.0);
+  CHECK(pixelAt(picture, 9, 3) == sky);
+}
+
+TEST_CASE("skyColour is the sky's irradiance times the exposure, at most 1", "[picture]") {
+  CHECK(skyColour({0.5, 1, 4}, 0.5) == glm::dvec3(0.25, 0.5, 1));
+  CHECK(skyColour(glm::dvec3(0), 100) == glm::dvec3(0));
+}
+
 TEST_CASE("unlitPicture shows a texture upright and not mirrored", "[picture]") {
   // Row 0 of an image is its top, v = 0 its bottom: red is in the upper left, where u = 0 and v = 1. The middle of
   // pixel 16 of 66 is that of the first texel, and its samples lie 1/264 of the map beside it.
