@@ -197,7 +197,8 @@ ordered_json description(const SolvedScene& solved, const std::optional<radiosit
   if (materials.changeMaterials()) settings["materials"] = toJson(materials);
   settings.update(toJson(solved.scene.outside));
   const radiosity::Phantoms phantoms = radiosity::countPhantoms(solved.discretization, solved.layout);
-  return {{"settings", settings},
+  return {{"scene", options.scene.file.filename().string()},
+          {"settings", settings},
           {"surfaces", surfacesJson(solved, lit)},
           {"sheets", sheetsJson(solved.scene)},
           {"elements", solved.discretization.elements.size()},

@@ -28,9 +28,10 @@ struct SolvedScene {
 /// The settings that a solution depends on, but not those for showing it.
 nlohmann::ordered_json solutionSettings(const SolveOptions& options);
 
-/// The object of solution.json without times and warnings: the settings that the result depends on, and the surfaces
-/// with their grids and places in the textures of the lit scene, counts, residual and energy. It contains no path and
-/// no thread count, so that equal results have equal files. The options hold the exposure.
+/// The object of solution.json without times and warnings: the name of the scene's file, the settings that the result
+/// depends on, and the surfaces with their grids and places in the textures of the lit scene, counts, residual and
+/// energy. It contains no path and no thread count, so that equal results have equal files. The options hold the
+/// exposure.
 nlohmann::ordered_json description(const SolvedScene& solved, const std::optional<radiosity::LitScene>& lit);
 
 /// The summary of solution.json: counts, times, residual, expected error, how emission was read, and the balance of

@@ -1,6 +1,7 @@
 // node solved_page_check.mjs FOLDER BROWSER PROGRAM: opens FOLDER/report.html in headless Chromium, without a network,
 // and uses it with the mouse: the start view must be render.png, a drag must turn the room as `hemitex render` draws it
-// from the new camera, and a click must name the surface that a ray through the pixel meets. Screenshots go to FOLDER.
+// from the new camera, and a click must name the surface that a ray through the pixel meets. Keys walk, the slider sets
+// the exposure, and the page fits a telephone. Screenshots go to FOLDER.
 // Exit code 1 with a message if something differs.
 import {execFileSync, spawn} from "node:child_process";
 import {mkdtempSync, readFileSync, rmSync, writeFileSync} from "node:fs";
@@ -233,6 +234,77 @@ async function checkTurn() {
   return {difference, names};
 }
 
+/// Holds a key while the view has the focus, for some time.
+async function hold(code, milliseconds) {
+  await send("Input.dispatchKeyEvent", {type: "keyDown", code, key: code});
+  await pause(milliseconds);
+  await send("Input.dispatchKeyEvent", {type: "keyUp", code, key: code});
+  await pause(200);
+}
+
+/// A walk moves the camera and its target by the same step: along the horizontal direction of view, to its right, or
+/// along `up`. A key that is up moves nothing.
+async function checkWalk() {
+  await clickOn("#start");
+  await evaluate("document.querySelector('#room canvas').focus()");
+  const up = unit(view.up), across = a => minus(a, up.map(value => value * dot(a, up)));
+  for (const [codes, wayOf] of [[["KeyW", "ArrowUp"], forward => forward], [["KeyD", "ArrowRight"], forward => cross(forward, up)],
+                                [["KeyE", "PageUp"], () => up], [["KeyS"], forward => forward.map(value => -value)],
+                                [["KeyQ"], () => up.map(value => -value)]])
+    for (const code of codes) {
+      const before = await camera(), scroll = await evaluate("scrollY");
+      await hold(code, 300);
+      const after = await camera(), step = minus(after.eye, before.eye), length = Math.hypot(...step);
+      const way = wayOf(unit(across(minus(before.look_at, before.eye))));
+      require(length > 0 && dot(step, way) > 0.999 * length, `${code} moves the camera by ${step}`);
+      require(Math.hypot(...minus(minus(after.look_at, before.look_at), step)) < 1e-3 * length + 1e-3, `${code} turns`);
+      require(await evaluate("scrollY") === scroll, `${code} scrolls the page`);
+      require(JSON.stringify(await camera()) === JSON.stringify(after), `the camera goes on after ${code}`);
+    }
+  await clickOn("#start");
+}
+
+async function expose(stops) {
+  await evaluate(`(() => { const slider = document.getElementById("exposure"); slider.value = ${stops};
+                           slider.dispatchEvent(new Event("input")); })()`);
+}
+
+/// One stop more is the picture of twice the exposure; one stop less makes clipped places grey.
+async function checkExposure() {
+  const before = await screenshot("page-start.png");
+  await expose(1);
+  const {exposure} = solution.settings, shown = await evaluate("document.getElementById('camera').textContent");
+  require(Math.abs(/--exposure (\S+)/.exec(shown)[1] / exposure - 2) < 1e-3, `the exposure is told as ${shown}`);
+  execFileSync(program, ["-q", "render", join(folder, "scene.obj"), "-o", join(folder, "exposed.png"), "--exposure",
+                         String(2 * exposure), "--size", size.join("x")]);
+  const difference = await differenceOf(await screenshot("page-exposed.png"), base64Of("exposed.png"));
+  require(close(difference), `one stop more differs from hemitex render: ${JSON.stringify(difference)}`);
+  await expose(-1);
+  const darker = await differenceOf(before, await screenshot("page-darker.png"));
+  require(darker.mean > 10, "one stop less changes little");
+  await expose(0);
+  require((await differenceOf(before, await screenshot("page-start.png"))).mean < 0.01, "the exposure does not come back");
+  return difference;
+}
+
+/// On a telephone nothing is wider than the window, also not inside the tables.
+async function checkNarrow() {
+  await clickOn("#start");
+  await send("Emulation.setDeviceMetricsOverride", {width: 390, height: 844, deviceScaleFactor: 1, mobile: true});
+  await pause(500);
+  const box = await boxOf("#room canvas");
+  await click(box.x + 0.5 * box.width, box.y + 0.3 * box.height);
+  require(await evaluate("!document.getElementById('surface').hidden"), "a click shows no values on a narrow page");
+  const wide = JSON.parse(await evaluate(`JSON.stringify([...document.querySelectorAll("body *")].filter(
+    e => e.getBoundingClientRect().right > 390.5 || (e.className === "table" && e.scrollWidth > e.clientWidth)).map(
+    e => e.tagName + " " + e.id + e.className + " " + e.textContent.slice(0, 40)))`));
+  require(await evaluate("document.documentElement.scrollWidth") <= 390 && wide.length === 0,
+          `wider than 390 pixels: ${wide.slice(0, 9).join("; ")}`);
+  const {data} = await send("Page.captureScreenshot", {captureBeyondViewport: true, clip: {
+    x: 0, y: 0, width: 390, height: await evaluate("document.documentElement.scrollHeight"), scale: 1}});
+  writeFileSync(join(folder, "page-narrow.png"), Buffer.from(data, "base64"));
+}
+
 /// A button beside a warning or in a table turns the camera to its surface and shows it.
 async function checkButtons(list) {
   const selector = `${list} button.place`;
@@ -254,6 +326,9 @@ async function checkPage() {
   const names = await checkClicks("start view");
   await checkValues();
   const turned = await checkTurn();
+  await checkWalk();
+  const exposed = await checkExposure();
+  require(await evaluate("document.title") === "box.obj", "the title is not the name of the scene");
   const warned = await checkButtons("#warnings li:first-child"), absorbing = await checkButtons("#absorbedBy");
   require(warned === "wall-red" && absorbing.startsWith("short-block"), `the places are ${warned} and ${absorbing}`);
   require(await checkButtons("#warnings li:last-child") === absorbing, "the warning does not name the largest back");
@@ -261,12 +336,13 @@ async function checkPage() {
   const {data} = await send("Page.captureScreenshot", {captureBeyondViewport: true, clip: {
     x: 0, y: 0, width: 1100, height: await evaluate("document.documentElement.scrollHeight"), scale: 1}});
   writeFileSync(join(folder, "page.png"), Buffer.from(data, "base64"));
+  await checkNarrow();
   const told = JSON.parse(await evaluate("document.getElementById('drawn').textContent"));
   faults.push(...told.faults);
   for (const plot of ["byShots", "byTime"])
     require(told.drawn[plot]?.points > 3 && told.drawn[plot].painted > 1000, `plot ${plot} is empty`);
   require(faults.length === 0, faults.join("\n"));
-  console.log(JSON.stringify({start, names, turned, warned, absorbing}));
+  console.log(JSON.stringify({start, names, turned, exposed, warned, absorbing}));
 }
 
 let code = 0;
