@@ -60,10 +60,7 @@ Subject subjectOf(const RenderOptions& options, Console& console) {
   if (subject.solved && options.scene.materials.areGiven())
     throw raster::InputError(options.scene.file.string(), 0, "is a solved scene, whose light cannot change",
                              "solve the scene with --emit, --reflectance or --lights");
-  if (subject.solved)
-    subject.solved->restoreCharts(subject.scene);
-  else
-    console.warnings(subject.scene.warnings);  // a lit scene has reflectance 1 on purpose
+  if (!subject.solved) console.warnings(subject.scene.warnings);  // a lit scene has reflectance 1 on purpose
   subject.camera = cameraOf(options.camera, subject.scene, options.scene.file);
   return subject;
 }

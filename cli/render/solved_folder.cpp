@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "cli/scene/lit_surfaces.h"
 #include "cli/scene/sealed_folder.h"
-#include "cli/scene/surface_names.h"
 #include "radiosity/images/image.h"
 #include "raster/base/file_io.h"
 #include "raster/base/input_error.h"
@@ -15,7 +15,7 @@
 namespace hemitex::cli {
 namespace {
 
-using nlohmann::json;
+using json = nlohmann::ordered_json;
 
 /// Reads a number of texels. Throws std::out_of_range if it is below `least`.
 int texelsAt(const json& object, const char* key, int least) {
@@ -36,18 +36,9 @@ radiosity::Image scaled(radiosity::Image image, double factor) {
   return image;
 }
 
-/// Multiplies the linear value of an sRGB-encoded colour.
-glm::dvec3 scaledColour(const glm::dvec3& encoded, double factor) {
-  glm::dvec3 colour(0);
-  for (int band = 0; band < 3; ++band)
-    colour[band] = radiosity::encodeSrgb(radiosity::decodeSrgb(encoded[band]) * factor) / 255.0;
-  return colour;
-}
-
 }  // namespace
 
-std::optional<SolvedFolder> SolvedFolder::around(const std::filesystem::path& sceneFile,
-                                                 const radiosity::Scene& scene) {
+std::optional<SolvedFolder> SolvedFolder::around(const std::filesystem::path& sceneFile, radiosity::Scene& scene) {
   SolvedFolder solved;
   solved.folder_ = sceneFile.parent_path();
   const std::filesystem::path file = solved.folder_ / "solution.json";
@@ -62,10 +53,9 @@ std::optional<SolvedFolder> SolvedFolder::around(const std::filesystem::path& sc
     if (const json& size = settings.at("texel_size"); !size.is_null()) solved.settings_.texelSize = size.get<double>();
     solved.exposure_ = settings.at("exposure").get<double>();
     if (settings.contains("sky")) solved.sky_ = reference::vectorAt(settings, "sky");
-    // The lit scene has one group per surface, in order. A group without a chart may have several planar parts.
     const json& surfaces = solution.at("surfaces");
-    for (const std::uint32_t family : familiesOf(scene).ofSurface) {
-      const json& surface = surfaces.at(family);
+    for (const std::uint32_t number : restoreSurfaces(scene, surfaces)) {
+      const json& surface = surfaces[number];
       const json& texture = surface.at("texture");
       solved.places_.push_back({texture.at("name").get<std::string>(), texelsAt(texture, "width", 1),
                                 texelsAt(texture, "height", 1), texelsAt(texture, "column", 0),
@@ -76,17 +66,14 @@ std::optional<SolvedFolder> SolvedFolder::around(const std::filesystem::path& sc
     throw raster::InputError(file.string(), 0, std::string("does not belong to the scene beside it: ") + error.what(),
                              "solve the scene again");
   }
-  return solved;
-}
-
-void SolvedFolder::restoreCharts(radiosity::Scene& scene) const {
   for (std::size_t s = 0; s < scene.surfaces.size(); ++s) {
-    const Place& place = places_[s];
+    const Place& place = solved.places_[s];
     for (radiosity::Triangle& triangle : scene.surfaces[s].triangles)
       for (glm::dvec2& corner : triangle.chart)
         corner = {chartCoordinate(corner.x, place.width, place.column, place.columns),
                   chartCoordinate(corner.y, place.height, place.row, place.rows)};
   }
+  return solved;
 }
 
 radiosity::DiscretizationSettings SolvedFolder::grids(const radiosity::Scene& scene) const {
@@ -120,14 +107,13 @@ std::vector<glm::dvec3> SolvedFolder::radiosity(const radiosity::Discretization&
 }
 
 void SolvedFolder::expose(radiosity::Scene& scene, double exposure) const {
-  for (const radiosity::Material& material : scene.materials)
-    if (material.reflectanceMap)
-      scene.images[static_cast<std::size_t>(*material.reflectanceMap)] =
-          scaled(radiosity::readImage(folder_ / (material.name + ".exr")), exposure);
-  for (radiosity::Surface& surface : scene.surfaces)
-    for (radiosity::Triangle& triangle : surface.triangles)
-      if (triangle.cornerColor)
-        for (glm::dvec3& colour : *triangle.cornerColor) colour = scaledColour(colour, exposure / exposure_);
+  std::map<int, std::string> textures;  // of images
+  for (std::size_t s = 0; s < scene.surfaces.size(); ++s)
+    if (const auto map = scene.materials[static_cast<std::size_t>(scene.surfaces[s].material)].reflectanceMap)
+      textures.emplace(*map, places_[s].texture);
+  for (const auto& [image, texture] : textures)
+    scene.images[static_cast<std::size_t>(image)] =
+        scaled(radiosity::readImage(folder_ / (texture + ".exr")), exposure);
 }
 
 }  // namespace hemitex::cli

@@ -1,5 +1,5 @@
-/// Reads a solved folder for pictures. The charts of its scene.obj are parts of radiosity textures. solution.json holds
-/// their places and grids, from which the solved charts are restored.
+/// Reads a solved folder for pictures. scene.obj holds triangles object by object, with coordinates in radiosity
+/// textures. solution.json says which surface they belong to, and holds their places and grids.
 #pragma once
 
 #include <filesystem>
@@ -15,17 +15,15 @@ namespace hemitex::cli {
 
 class SolvedFolder {
  public:
-  /// The folder of a scene file; nothing if it has no solution.json. Throws InputError if that file does not belong to
-  /// the scene.
-  static std::optional<SolvedFolder> around(const std::filesystem::path& sceneFile, const radiosity::Scene& scene);
+  /// The folder of a scene file; nothing if it has no solution.json. Gives the scene its solved surfaces and charts.
+  /// Throws InputError if that file does not belong to the scene.
+  static std::optional<SolvedFolder> around(const std::filesystem::path& sceneFile, radiosity::Scene& scene);
 
-  /// Maps the charts from their places in the textures back to the unit square.
-  void restoreCharts(radiosity::Scene& scene) const;
-  /// The settings that give the solved grids, after the charts are restored.
+  /// The settings that give the solved grids.
   radiosity::DiscretizationSettings grids(const radiosity::Scene& scene) const;
   /// The radiosity of each element in W/m^2, from the EXR textures. Throws InputError if a texture is too small.
   std::vector<glm::dvec3> radiosity(const radiosity::Discretization& discretization) const;
-  /// Replaces the display textures and colours of the scene by its radiosity times `exposure`.
+  /// Replaces the display textures of the scene by its radiosity times `exposure`.
   void expose(radiosity::Scene& scene, double exposure) const;
   /// The exposure of the display textures.
   double exposure() const { return exposure_; }

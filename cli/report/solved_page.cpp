@@ -6,6 +6,7 @@
 #include "cli/common/json.h"
 #include "cli/report/embedded_files.h"
 #include "cli/report/html_page.h"
+#include "radiosity/textures/gltf_scene.h"
 
 namespace hemitex::cli {
 namespace {
@@ -60,18 +61,16 @@ ordered_json fluxBySurface(const std::vector<glm::dvec3>& flux, const std::vecto
   });
 }
 
-/// What the page needs to find the surfaces of scene.glb: per surface its number on the page, or -1, its material and
-/// its number of triangles.
+/// The surfaces in each primitive of scene.glb, in the order of the file: their numbers on the page, or -1, and their
+/// numbers of triangles.
 ordered_json partsOf(const ShownScene& lit, const std::vector<std::uint32_t>& listed, std::size_t surfaces) {
-  ordered_json parts(surfaces, {-1, "", 0});
-  for (std::size_t i = 0; i < listed.size(); ++i) parts[listed[i]][0] = i;
-  for (std::size_t s = 0; s < lit.surfaceOf.size(); ++s) {
-    ordered_json& part = parts.at(lit.surfaceOf[s]);
-    const radiosity::Surface& surface = lit.scene.surfaces[s];
-    part[1] = lit.scene.materials[static_cast<std::size_t>(surface.material)].name;
-    part[2] = part[2].get<std::size_t>() + surface.triangles.size();
-  }
-  return parts;
+  std::vector<std::int64_t> numbers(surfaces, -1);
+  for (std::size_t i = 0; i < listed.size(); ++i) numbers[listed[i]] = static_cast<std::int64_t>(i);
+  return listOf(radiosity::litParts(lit.scene), [&](const radiosity::LitPart& part) {
+    return listOf(part.surfaces, [&](std::uint32_t s) {
+      return ordered_json{numbers.at(lit.surfaceOf[s]), lit.scene.surfaces[s].triangles.size()};
+    });
+  });
 }
 
 /// A script element that a page reads by its id.

@@ -82,6 +82,7 @@ ordered_json surfacesJson(const SolvedScene& solved, const std::optional<radiosi
   for (std::uint32_t s = 0; s < solved.scene.surfaces.size(); ++s) {
     const SurfaceMeans means = meansOf(solved, s);
     surfaces.push_back({{"name", solved.scene.surfaces[s].name},
+                        {"triangles", solved.scene.surfaces[s].triangles.size()},
                         {"columns", grids[s].columns},
                         {"rows", grids[s].rows},
                         {"elements", grids[s].elementCount},

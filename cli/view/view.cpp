@@ -7,8 +7,8 @@
 #include "cli/common/json.h"
 #include "cli/common/staging.h"
 #include "cli/report/solved_page.h"
+#include "cli/scene/lit_surfaces.h"
 #include "cli/scene/sealed_folder.h"
-#include "cli/scene/surface_names.h"
 #include "cli/view/browser.h"
 #include "radiosity/scene/load_scene.h"
 #include "raster/base/file_io.h"
@@ -27,11 +27,11 @@ const char* const pageName = "report.html";
 std::string pageOf(const fs::path& solved) {
   const fs::path sceneFile = solved / "scene.obj";
   const std::string text = raster::readFile(solved / "solution.json");
-  const radiosity::Scene lit = radiosity::loadScene(sceneFile, {});
+  radiosity::Scene lit = radiosity::loadScene(sceneFile, {});
   try {
     const ordered_json solution = reference::parseJson<ordered_json>(text);
-    // The lit scene has one group per surface, in order; a group may have several planar parts.
-    return solvedPage({solved / "scene.glb", lit, familiesOf(lit).ofSurface}, solution);
+    const std::vector<std::uint32_t> numbers = restoreSurfaces(lit, solution.at("surfaces"));
+    return solvedPage({solved / "scene.glb", std::move(lit), numbers}, solution);
   } catch (const std::exception& error) {
     throw raster::InputError((solved / "solution.json").string(), 0,
                              std::string("does not belong to the scene beside it: ") + error.what(),

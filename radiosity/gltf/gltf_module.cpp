@@ -19,17 +19,19 @@ const GltfWriter& writerFor(const std::filesystem::path& file) try {
                            "install hemitex again, or build it with CMake");
 }
 
-/// An upper bound of the file's size. The description of an object, a material or a texture takes less than 2 KiB of
-/// JSON and its name, which stands there twice.
+/// An upper bound of the file's size. The description of an object, a primitive, a material or a texture takes less
+/// than 2 KiB of JSON and its name, which stands there twice.
 std::uint64_t maxSize(const GltfModel& model) {
   constexpr std::uint64_t description = 2048;
   std::uint64_t size = description;
   for (const GltfTexture& texture : model.textures) size += texture.png.size() + 2 * texture.name.size() + description;
   for (const GltfMaterial& material : model.materials) size += 2 * material.name.size() + description;
-  for (const GltfObject& object : model.objects)
-    size += object.positions.size() * sizeof(glm::vec3) + object.texcoords.size() * sizeof(glm::vec2) +
-            object.colours.size() * sizeof(glm::vec3) + object.corners.size() * sizeof(std::uint32_t) +
-            2 * object.name.size() + description;
+  for (const GltfObject& object : model.objects) {
+    size += 2 * object.name.size() + description;
+    for (const GltfPrimitive& primitive : object.primitives)
+      size += primitive.positions.size() * sizeof(glm::vec3) + primitive.texcoords.size() * sizeof(glm::vec2) +
+              primitive.corners.size() * sizeof(std::uint32_t) + description;
+  }
   return size;
 }
 

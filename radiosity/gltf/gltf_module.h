@@ -20,20 +20,25 @@ struct GltfTexture {
   std::vector<unsigned char> png;  ///< the bytes of a PNG file, sRGB as glTF requires of base colours
 };
 
-/// An unlit material: a texture, or white.
+/// An unlit material.
 struct GltfMaterial {
   std::string name;
-  std::optional<int> texture = {};  ///< in GltfModel::textures
+  int texture = 0;  ///< in GltfModel::textures
 };
 
-/// A mesh of triangles in a node of its own.
-struct GltfObject {
-  std::string name;
+/// Triangles with one material.
+struct GltfPrimitive {
   int material = 0;                    ///< in GltfModel::materials
   std::vector<glm::vec3> positions;    ///< one per vertex, relative to GltfModel::origin
   std::vector<glm::vec2> texcoords;    ///< one per vertex; v = 0 is the TOP of the texture
-  std::vector<glm::vec3> colours;      ///< one per vertex, linear, scales the texture; or empty
   std::vector<std::uint32_t> corners;  ///< three vertices per triangle, counter-clockwise seen from the front
+};
+
+/// A node. Without primitives it has no mesh.
+struct GltfObject {
+  std::string name;
+  std::optional<int> parent = {};  ///< in GltfModel::objects, before or behind
+  std::vector<GltfPrimitive> primitives;
 };
 
 struct GltfCamera {
@@ -46,7 +51,7 @@ struct GltfCamera {
 };
 
 struct GltfModel {
-  glm::dvec3 origin{0.0};  ///< translation of all nodes, so that scenes far from zero lose no digits in binary32
+  glm::dvec3 origin{0.0};  ///< translation of the roots, so that scenes far from zero lose no digits in binary32
   std::vector<GltfTexture> textures;
   std::vector<GltfMaterial> materials;
   std::vector<GltfObject> objects;
@@ -69,9 +74,15 @@ struct ImportedImage {
   std::vector<unsigned char> bytes;  ///< of a PNG or JPEG file; empty if the file is missing
 };
 
+/// A node, with a mesh or without.
+struct ImportedNode {
+  std::string name;                ///< its own, or that of its mesh; not empty, and unique among nodes with a mesh
+  std::optional<int> parent = {};  ///< in GltfImport::nodes
+};
+
 /// The triangles of a mesh in a node that share a material.
 struct ImportedPart {
-  std::string node;                    ///< its name, or that of its mesh; unique per node and not empty
+  int node = 0;                        ///< in GltfImport::nodes
   std::optional<int> material = {};    ///< in GltfImport::materials
   std::vector<glm::dvec3> positions;   ///< one per vertex, in world space
   std::vector<glm::dvec2> texcoords;   ///< one per vertex, or empty; v = 0 is the TOP of an image
@@ -89,7 +100,8 @@ struct ImportedCamera {
 struct GltfImport {
   std::vector<ImportedMaterial> materials;
   std::vector<ImportedImage> images;
-  std::vector<ImportedPart> parts;       ///< in the order of a walk from the roots of the scene, children after parents
+  std::vector<ImportedNode> nodes;       ///< in the order of a walk from the roots of the scene, children after parents
+  std::vector<ImportedPart> parts;       ///< in the order of the nodes
   std::optional<ImportedCamera> camera;  ///< the first one with a perspective
   std::vector<std::string> warnings;     ///< one sentence each, for the user
   std::vector<std::string> files;        ///< buffers and images that were read, with the folder of the scene

@@ -101,10 +101,6 @@ glm::dvec3 unlitColour(const Scene& scene, const Visible& visible, const MapColo
   if (material.reflectanceMap)
     colour *=
         mapColour(static_cast<std::size_t>(*material.reflectanceMap), interpolate(triangle.texcoord, visible.weights));
-  if (triangle.cornerColor) {
-    const auto& [a, b, c] = *triangle.cornerColor;
-    colour *= interpolate(std::array{decodeSrgb(a), decodeSrgb(b), decodeSrgb(c)}, visible.weights);
-  }
   return colour;
 }
 

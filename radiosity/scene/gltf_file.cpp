@@ -52,7 +52,7 @@ class MeshBuilder {
     for (const glm::dvec3& position : part.positions) addPosition(position);
     for (const glm::dvec2& texcoord : part.texcoords) addTexcoord(texcoord);
     mesh_.normals.insert(mesh_.normals.end(), part.normals.begin(), part.normals.end());
-    const std::uint32_t section = sectionOf(part.node, material);
+    const std::uint32_t section = sectionOf(static_cast<std::uint32_t>(part.node), material);
     for (std::size_t c = 0; c < part.corners.size(); c += 3) {
       mesh_.polygons.push_back({.firstCorner = static_cast<std::uint32_t>(mesh_.corners.size()),
                                 .cornerCount = 3,
@@ -74,7 +74,6 @@ class MeshBuilder {
     if (std::max({std::fabs(position.x), std::fabs(position.y), std::fabs(position.z)}) > largestCoordinate)
       throw InputError(file_.string(), 0, "a coordinate is above 1e18 in size", "scale the scene down");
     mesh_.positions.push_back(position);
-    mesh_.colors.emplace_back();
   }
 
   /// glTF measures v from the top of an image, a scene from its bottom.
@@ -85,15 +84,15 @@ class MeshBuilder {
     mesh_.texcoords.emplace_back(texcoord.x, 1 - texcoord.y);
   }
 
-  std::uint32_t sectionOf(const std::string& node, const std::string& material) {
-    const auto known = sections_.try_emplace({node, material}, static_cast<std::uint32_t>(mesh_.sections.size()));
-    if (known.second) mesh_.sections.push_back({node, material});
+  std::uint32_t sectionOf(std::uint32_t object, const std::string& material) {
+    const auto known = sections_.try_emplace({object, material}, static_cast<std::uint32_t>(mesh_.sections.size()));
+    if (known.second) mesh_.sections.push_back({object, material});
     return known.first->second;
   }
 
   const std::filesystem::path& file_;
   PolygonMesh mesh_;
-  std::map<std::pair<std::string, std::string>, std::uint32_t> sections_;
+  std::map<std::pair<std::uint32_t, std::string>, std::uint32_t> sections_;
 };
 
 /// Decodes the images of materials; each is decoded once.
@@ -161,6 +160,7 @@ GltfFile readGltf(const std::filesystem::path& file) {
     builder.add(part,
                 part.material ? imported.materials[static_cast<std::size_t>(*part.material)].name : std::string());
   GltfFile gltf{std::move(builder).mesh(), std::move(imported.materials), std::move(imported.images), {}, {}};
+  for (ImportedNode& node : imported.nodes) gltf.mesh.objects.push_back({std::move(node.name), node.parent});
   gltf.mesh.warnings = std::move(imported.warnings);
   gltf.files.assign(imported.files.begin(), imported.files.end());
   if (const auto& camera = imported.camera)

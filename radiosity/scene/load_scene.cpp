@@ -102,11 +102,12 @@ MaterialChoice chooseMaterials(const std::vector<Section>& sections) {
   return choice;
 }
 
-void addSurfaces(Scene& scene, std::vector<Surface> parts, const std::string& family, int material) {
+void addSurfaces(Scene& scene, std::vector<Surface> parts, const std::string& family, int material, int object) {
   for (std::size_t n = 0; n < parts.size(); ++n) {
     parts[n].name = parts.size() == 1 ? family : family + "#" + std::to_string(n + 1);
     parts[n].family = family;
     parts[n].material = material;
+    parts[n].object = object;
     scene.surfaces.push_back(std::move(parts[n]));
   }
 }
@@ -125,16 +126,25 @@ Surface backOf(const Surface& front) {
     turnOver(triangle.position);
     turnOver(triangle.chart);
     turnOver(triangle.texcoord);
-    if (triangle.cornerColor) turnOver(*triangle.cornerColor);
   }
   return back;
 }
 
-/// Gives some surfaces, by their numbers, a surface on the other side.
-void addBacks(std::vector<Surface>& surfaces, const std::vector<std::uint32_t>& numbers) {
+/// Gives some surfaces, by their numbers, a surface on the other side. Those of an object are an object of their own,
+/// because programs take faces with equal corners in one mesh for a fault.
+void addBacks(Scene& scene, const std::vector<std::uint32_t>& numbers) {
+  std::vector<Surface>& surfaces = scene.surfaces;
+  std::map<int, int> backObjects;
   for (const std::uint32_t s : numbers) {
     const auto back = static_cast<int>(surfaces.size());
     surfaces.push_back(backOf(surfaces[s]));
+    const int front = *surfaces[s].object;
+    const auto [known, isNew] = backObjects.try_emplace(front, static_cast<int>(scene.objects.size()));
+    if (isNew) {
+      const SceneObject object = scene.objects[static_cast<std::size_t>(front)];
+      scene.objects.push_back({object.name + "/back", object.parent});
+    }
+    surfaces.back().object = known->second;
     surfaces[s].twin = back;
     surfaces.back().twin = static_cast<int>(s);
   }
@@ -205,6 +215,7 @@ Scene loadScene(const std::filesystem::path& file, const SceneSettings& settings
   const std::optional<GltfFile> gltf = isGltf(file) ? std::optional(readGltf(file)) : std::nullopt;
   const PolygonMesh mesh = gltf ? gltf->mesh : readObj(file);
   scene.warnings = mesh.warnings;
+  scene.objects = mesh.objects;
   std::vector<Section> sections = cutIntoSections(mesh, scene.warnings);
   if (sections.empty()) failEmpty(mesh, file);
 
@@ -221,11 +232,12 @@ Scene loadScene(const std::filesystem::path& file, const SceneSettings& settings
 
   for (std::size_t s = 0; s < sections.size(); ++s) {
     const std::string family = sections[s].family;
-    addSurfaces(scene, layCharts(std::move(sections[s]), mesh, file, settings), family, choice.ofSection[s]);
+    const auto object = static_cast<int>(sections[s].object);
+    addSurfaces(scene, layCharts(std::move(sections[s]), mesh, file, settings), family, choice.ofSection[s], object);
   }
   measureBounds(scene);
-  if (settings.sides == Sides::Two) addBacks(scene.surfaces, allSurfaces(scene));
-  if (settings.sides == Sides::TwoOfSheets) addBacks(scene.surfaces, sheetsLitFromBothSides(scene));
+  if (settings.sides == Sides::Two) addBacks(scene, allSurfaces(scene));
+  if (settings.sides == Sides::TwoOfSheets) addBacks(scene, sheetsLitFromBothSides(scene));
   makeNamesUnique(scene.surfaces);
   if (scene.extent < smallestExtent) fail({file}, "the scene is smaller than 1e-18 units", "scale it up");
   return scene;

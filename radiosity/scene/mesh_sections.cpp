@@ -19,18 +19,12 @@ Triangle makeTriangle(const PolygonMesh& mesh, std::uint32_t polygonIndex,
   const MeshPolygon& polygon = mesh.polygons[polygonIndex];
   Triangle triangle;
   triangle.polygon = polygonIndex;
-  std::array<glm::dvec3, 3> colors{};
-  bool colored = true;
   for (std::size_t k = 0; k < 3; ++k) {
     const MeshCorner& corner = mesh.corners[polygon.firstCorner + corners[k]];
     triangle.position[k] = mesh.positions[corner.position];
     if (polygon.textured) triangle.texcoord[k] = mesh.texcoords[*corner.texcoord];
     if (polygon.cornerCount == 4) triangle.chart[k] = quad[corners[k]];
-    const std::optional<glm::dvec3>& color = mesh.colors[corner.position];
-    colored = colored && color.has_value();
-    colors[k] = color.value_or(glm::dvec3(0.0));
   }
-  if (colored) triangle.cornerColor = colors;
   return triangle;
 }
 
@@ -174,19 +168,22 @@ std::vector<Section> cutPolygons(const PolygonMesh& mesh, std::vector<std::strin
 
 std::vector<Section> cutIntoSections(const PolygonMesh& mesh, std::vector<std::string>& warnings) {
   std::vector<Section> sections = cutPolygons(mesh, warnings);
-  std::map<std::string, int> sectionsOfGroup;
+  std::vector<int> sectionsOfObject(mesh.objects.size());
   for (std::size_t s = 0; s < sections.size(); ++s) {
-    if (!sections[s].triangles.empty()) ++sectionsOfGroup[mesh.sections[s].group];
+    if (!sections[s].triangles.empty()) ++sectionsOfObject[mesh.sections[s].object];
   }
   std::set<std::string> taken;
   for (std::size_t s = 0; s < sections.size(); ++s) {
     if (sections[s].triangles.empty()) continue;
-    const auto& [group, material] = mesh.sections[s];
-    const std::string suffix = "/" + (material.empty() ? "default" : material);
-    sections[s].family = uniqueName(taken, sectionsOfGroup[group] > 1 ? group + suffix : group);
+    const auto& [object, material] = mesh.sections[s];
+    const std::string &name = mesh.objects[object].name, suffix = "/" + (material.empty() ? "default" : material);
+    sections[s].family = uniqueName(taken, sectionsOfObject[object] > 1 ? name + suffix : name);
     sections[s].material = material;
+    sections[s].object = object;
   }
   std::erase_if(sections, [](const Section& section) { return section.triangles.empty(); });
+  std::stable_sort(sections.begin(), sections.end(),
+                   [](const Section& a, const Section& b) { return a.object < b.object; });
   return sections;
 }
 

@@ -16,8 +16,9 @@ namespace hemitex::radiosity {
 inline constexpr double normalTolerance = 0.02;
 
 struct Section {
-  std::string family;    ///< unique: the group's name, with `/material` if the group has several sections
-  std::string material;  ///< empty for none
+  std::string family;        ///< unique: the group's name, with `/material` if the group has several sections
+  std::string material;      ///< empty for none
+  std::uint32_t object = 0;  ///< in PolygonMesh::objects
   /// In file order, all with area. Texture coordinates are those of the file, or zero. Charts are not set yet, except
   /// for quads, whose corners map to those of the unit square.
   std::vector<Triangle> triangles;

@@ -43,7 +43,7 @@ class NumberReader {
   }
 
  private:
-  /// `v x y z`, with an optional weight `w`, colour `r g b`, or colour and alpha.
+  /// `v x y z`, with an optional weight `w`, colour `r g b`, or colour and alpha, which are ignored.
   void readPosition(std::string_view rest, const Place& place) {
     std::array<double, 7> n{};
     const std::size_t count = readNumbers(rest, n, place);
@@ -54,7 +54,6 @@ class NumberReader {
       }
     }
     obj_.positions.emplace_back(n[0], n[1], n[2]);
-    obj_.colors.push_back(count >= 6 ? std::optional(glm::dvec3(n[3], n[4], n[5])) : std::nullopt);
   }
 
   void readTexcoord(std::string_view rest, const Place& place) {
@@ -179,28 +178,32 @@ class StructureReader {
   }
 
   void setGroup(const std::string& name) {
-    current_.group = name.empty() ? "default" : name;
+    group_ = name.empty() ? "default" : name;
     section_.reset();
   }
 
   void setMaterial(const std::string& name) {
-    current_.material = name;
+    material_ = name;
     section_.reset();
   }
 
   std::uint32_t sectionOfFace() {
     if (!section_) {
-      const auto known = sections_.try_emplace({current_.group, current_.material}, obj_.sections.size());
-      if (known.second) obj_.sections.push_back(current_);
+      const auto object = objects_.try_emplace(group_, obj_.objects.size());
+      if (object.second) obj_.objects.push_back({group_});
+      const std::uint32_t number = object.first->second;
+      const auto known = sections_.try_emplace({number, material_}, obj_.sections.size());
+      if (known.second) obj_.sections.push_back({number, material_});
       section_ = known.first->second;
     }
     return *section_;
   }
 
   PolygonMesh& obj_;
-  MeshSection current_{"default", ""};
-  std::map<std::pair<std::string, std::string>, std::uint32_t> sections_;
-  std::optional<std::uint32_t> section_;  ///< of `current_`, once a face uses it
+  std::string group_ = "default", material_;  ///< current
+  std::map<std::string, std::uint32_t> objects_;
+  std::map<std::pair<std::uint32_t, std::string>, std::uint32_t> sections_;
+  std::optional<std::uint32_t> section_;  ///< of the current group and material, once a face uses it
 };
 
 }  // namespace

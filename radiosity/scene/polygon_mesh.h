@@ -8,12 +8,14 @@
 #include <string>
 #include <vector>
 
+#include "radiosity/scene/scene.h"
+
 namespace hemitex::radiosity {
 
 /// All faces of a file that share a group and a material, wherever they are.
 struct MeshSection {
-  std::string group;     ///< OBJ: `default` before any group, and a blank between several names of one `g`
-  std::string material;  ///< empty for none
+  std::uint32_t object = 0;  ///< in PolygonMesh::objects
+  std::string material;      ///< empty for none
 };
 
 struct MeshPolygon {
@@ -31,13 +33,15 @@ struct MeshCorner {
 };
 
 struct PolygonMesh {
-  std::vector<glm::dvec3> positions;              ///< finite; absolute coordinates at most 1e18
-  std::vector<std::optional<glm::dvec3>> colors;  ///< one per position
-  std::vector<glm::dvec2> texcoords;              ///< finite; absolute coordinates at most 1e18
-  std::vector<glm::dvec3> normals;                ///< of any length, perhaps 0
+  std::vector<glm::dvec3> positions;  ///< finite; absolute coordinates at most 1e18
+  std::vector<glm::dvec2> texcoords;  ///< finite; absolute coordinates at most 1e18
+  std::vector<glm::dvec3> normals;    ///< of any length, perhaps 0
   std::vector<MeshCorner> corners;
   std::vector<MeshPolygon> polygons;  ///< in file order
   std::vector<MeshSection> sections;  ///< in the order of their first faces
+  /// In the order of their first faces. OBJ: groups; `default` before any group, and a blank between several names of
+  /// one `g`. glTF: all nodes.
+  std::vector<SceneObject> objects;
   std::vector<std::string>
       materialLibraries;  ///< OBJ: the argument of each `mtllib`, a file or several with blanks between them
   std::vector<std::string> warnings;  ///< about faults in unused data, for the user

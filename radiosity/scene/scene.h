@@ -34,9 +34,6 @@ struct Triangle {
   std::array<glm::dvec2, 3>
       texcoord;               ///< the file's coordinates for material maps, which repeat; without them the chart's
   std::uint32_t polygon = 0;  ///< the face of the file that contains the triangle, counted from 0 over the file
-  /// The colours of the corners in the file (`v x y z r g b`), if all three have one: the sRGB-encoded display colours
-  /// of a Gouraud shaded surface of a solved scene.
-  std::optional<std::array<glm::dvec3, 3>> cornerColor = {};
 };
 
 struct Surface {
@@ -49,7 +46,14 @@ struct Surface {
       triangles;  ///< in file order; never empty, all with area (see hasArea) in space and in the chart
   /// Surfaces of one family with the same number are charts of one curved part of the mesh.
   std::optional<std::uint32_t> curvedPart = {};
-  std::optional<int> twin = {};  ///< of a two-sided surface: the surface of the other side
+  std::optional<int> twin = {};    ///< of a two-sided surface: the surface of the other side
+  std::optional<int> object = {};  ///< in Scene::objects; one without it is an object of its own
+};
+
+/// An object of the file: a group of an OBJ file, or a node of a glTF file.
+struct SceneObject {
+  std::string name;                ///< of the file; those of objects with surfaces are unique
+  std::optional<int> parent = {};  ///< in Scene::objects
 };
 
 /// A camera that a scene file contains.
@@ -66,11 +70,14 @@ struct Scene {
   double rounding = 0;  ///< by how much the file rounds coordinates to binary32 (see measureBounds); often unknown: 0
   std::vector<Material> materials;
   std::vector<Image> images;
-  std::vector<Surface> surfaces;      ///< in the order of their first faces; backs of two-sided ones behind all fronts
-  std::optional<int> up = {};         ///< the axis that points up, if the file states it: 1, y, in glTF
-  OutsideLight outside = {};          ///< not part of the file
-  std::vector<std::string> warnings;  ///< one sentence each, for the user
-  std::optional<SceneCamera> camera = {};         ///< OBJ files have none
+  /// Object by object in the order of their first faces; backs of two-sided ones behind all fronts.
+  std::vector<Surface> surfaces;
+  std::optional<int> up = {};              ///< the axis that points up, if the file states it: 1, y, in glTF
+  OutsideLight outside = {};               ///< not part of the file
+  std::vector<std::string> warnings;       ///< one sentence each, for the user
+  std::optional<SceneCamera> camera = {};  ///< OBJ files have none
+  /// Those of the file, some without surfaces; then the backs of two-sided ones, named `/back`, with the same parents.
+  std::vector<SceneObject> objects = {};
   std::vector<std::filesystem::path> files = {};  ///< all that were read: the scene, its materials, images and buffers
 };
 

@@ -130,6 +130,7 @@ class Editor {
     const auto firstMaterial = static_cast<int>(scene_.materials.size());
     const auto firstImage = static_cast<int>(scene_.images.size());
     const auto firstSurface = static_cast<int>(scene_.surfaces.size());
+    const auto firstObject = static_cast<int>(scene_.objects.size());
     for (Material& material : added.materials) {
       if (material.reflectanceMap) *material.reflectanceMap += firstImage;
       if (material.emissionMap) *material.emissionMap += firstImage;
@@ -138,10 +139,15 @@ class Editor {
     std::move(added.images.begin(), added.images.end(), std::back_inserter(scene_.images));
     std::move(added.warnings.begin(), added.warnings.end(), std::back_inserter(scene_.warnings));
     std::move(added.files.begin(), added.files.end(), std::back_inserter(scene_.files));
+    for (SceneObject& object : added.objects) {
+      if (object.parent) *object.parent += firstObject;
+      scene_.objects.push_back(std::move(object));
+    }
     rename(added.surfaces);
     for (Surface& surface : added.surfaces) {
       surface.material += firstMaterial;
       if (surface.twin) *surface.twin += firstSurface;
+      if (surface.object) *surface.object += firstObject;
       move(scene_, surface, edit.by);
       scene_.surfaces.push_back(std::move(surface));
     }

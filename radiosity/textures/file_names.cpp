@@ -39,10 +39,18 @@ std::vector<std::string> uniqueFileNames(const std::vector<std::string>& names,
   return result;
 }
 
-std::vector<std::string> objectNames(const Scene& scene) {
-  std::vector<std::string> names;
-  for (const Surface& surface : scene.surfaces) names.push_back(surface.name);
-  return uniqueFileNames(names);
+std::vector<std::string> uniqueObjNames(const std::vector<std::string>& names) {
+  std::unordered_map<std::string, int> taken;  // with the last suffix of each name
+  std::vector<std::string> result;
+  for (std::string base : names) {
+    for (char& c : base)
+      if (static_cast<unsigned char>(c) <= ' ' || c == 0x7f) c = '_';
+    if (base.empty()) base = "_";
+    std::string unique = base;
+    while (!taken.emplace(unique, 1).second) unique = base + "~" + std::to_string(++taken.at(base));
+    result.push_back(unique);
+  }
+  return result;
 }
 
 }  // namespace hemitex::radiosity

@@ -1,10 +1,8 @@
-/// Converts names of surfaces to file names.
+/// Converts names of a scene to names in files.
 #pragma once
 
 #include <string>
 #include <vector>
-
-#include "radiosity/scene/scene.h"
 
 namespace hemitex::radiosity {
 
@@ -14,7 +12,8 @@ namespace hemitex::radiosity {
 std::vector<std::string> uniqueFileNames(const std::vector<std::string>& names,
                                          const std::vector<std::string>& reserved = {});
 
-/// The names of a scene's surfaces as objects of files, one per surface, by the same rules.
-std::vector<std::string> objectNames(const Scene& scene);
+/// One name of an OBJ or MTL file per name. Blanks and control characters become `_`, because programs end names there.
+/// All are different; duplicates get the suffix `~2`, `~3`, ...
+std::vector<std::string> uniqueObjNames(const std::vector<std::string>& names);
 
 }  // namespace hemitex::radiosity

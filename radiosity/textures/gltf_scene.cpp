@@ -7,63 +7,65 @@
 #include <string>
 #include <utility>
 
-#include "radiosity/images/image.h"
-#include "radiosity/textures/file_names.h"
 #include "raster/base/parallel.h"
 
 namespace hemitex::radiosity {
 namespace {
 
-/// An object of the file and its surfaces.
-struct Part {
-  std::string name;
-  int material = 0;
-  std::vector<std::size_t> surfaces;
-};
-
-std::vector<Part> partsBySurface(const Scene& lit) {
-  const std::vector<std::string> names = objectNames(lit);
-  std::vector<Part> parts;
-  for (std::size_t s = 0; s < lit.surfaces.size(); ++s) parts.push_back({names[s], lit.surfaces[s].material, {s}});
-  return parts;
-}
-
-std::vector<Part> partsByMaterial(const Scene& lit) {
-  std::vector<Part> parts;
-  for (const Material& material : lit.materials) parts.push_back({material.name, static_cast<int>(parts.size()), {}});
-  for (std::size_t s = 0; s < lit.surfaces.size(); ++s)
-    parts[static_cast<std::size_t>(lit.surfaces[s].material)].surfaces.push_back(s);
-  std::erase_if(parts, [](const Part& part) { return part.surfaces.empty(); });
-  return parts;
-}
-
-/// The position, texture coordinate and colour of a corner.
-using Vertex = std::array<float, 8>;
+/// The position and texture coordinate of a corner.
+using Vertex = std::array<float, 5>;
 
 Vertex vertexOf(const Triangle& triangle, std::size_t corner, const glm::dvec3& origin) {
   const glm::vec3 position(triangle.position[corner] - origin);
   const glm::vec2 texcoord(triangle.texcoord[corner].x, 1 - triangle.texcoord[corner].y);
-  const glm::vec3 colour = triangle.cornerColor ? decodeSrgb((*triangle.cornerColor)[corner]) : glm::dvec3(1);
-  return {position.x, position.y, position.z, texcoord.x, texcoord.y, colour.x, colour.y, colour.z};
+  return {position.x, position.y, position.z, texcoord.x, texcoord.y};
 }
 
 /// Vertices in the order of their first corners; equal ones are written once.
-GltfObject objectOf(const Scene& lit, const Part& part) {
-  GltfObject object{part.name, part.material, {}, {}, {}, {}};
-  const bool isColoured = lit.surfaces[part.surfaces.front()].triangles.front().cornerColor.has_value();
+GltfPrimitive primitiveOf(const Scene& lit, const LitPart& part) {
+  GltfPrimitive primitive{part.material, {}, {}, {}};
   std::map<Vertex, std::uint32_t> numbers;
-  for (const std::size_t surface : part.surfaces)
+  for (const std::uint32_t surface : part.surfaces)
     for (const Triangle& triangle : lit.surfaces[surface].triangles)
       for (std::size_t corner = 0; corner < 3; ++corner) {
         const Vertex vertex = vertexOf(triangle, corner, lit.origin);
         const auto [known, isNew] = numbers.try_emplace(vertex, static_cast<std::uint32_t>(numbers.size()));
-        object.corners.push_back(known->second);
+        primitive.corners.push_back(known->second);
         if (!isNew) continue;
-        object.positions.emplace_back(vertex[0], vertex[1], vertex[2]);
-        object.texcoords.emplace_back(vertex[3], vertex[4]);
-        if (isColoured) object.colours.emplace_back(vertex[5], vertex[6], vertex[7]);
+        primitive.positions.emplace_back(vertex[0], vertex[1], vertex[2]);
+        primitive.texcoords.emplace_back(vertex[3], vertex[4]);
       }
-  return object;
+  return primitive;
+}
+
+/// Nodes of the parts, each with the primitives of an object, then those of the objects above them.
+std::vector<GltfObject> nodesOf(const Scene& lit, const std::vector<LitPart>& parts) {
+  std::vector<GltfPrimitive> primitives(parts.size());
+  raster::parallelFor(parts.size(), [&](std::size_t p) { primitives[p] = primitiveOf(lit, parts[p]); });
+  std::vector<GltfObject> nodes;
+  std::vector<int> objects;         // in the scene, of each node; -1 for none
+  std::map<int, int> nodeOfObject;  // as far as there are
+  const auto addNode = [&](const std::string& name, int object) {
+    if (object >= 0) nodeOfObject.emplace(object, static_cast<int>(nodes.size()));
+    nodes.push_back({name, {}, {}});
+    objects.push_back(object);
+  };
+  for (std::size_t p = 0; p < parts.size(); ++p) {
+    const std::optional<int> object = parts[p].object;
+    if (!object)
+      addNode(lit.materials[static_cast<std::size_t>(parts[p].material)].name, -1);
+    else if (!nodeOfObject.contains(*object))
+      addNode(lit.objects[static_cast<std::size_t>(*object)].name, *object);
+    nodes.back().primitives.push_back(std::move(primitives[p]));
+  }
+  for (std::size_t n = 0; n < nodes.size(); ++n) {
+    if (objects[n] < 0) continue;
+    const std::optional<int> parent = lit.objects[static_cast<std::size_t>(objects[n])].parent;
+    if (!parent) continue;
+    if (!nodeOfObject.contains(*parent)) addNode(lit.objects[static_cast<std::size_t>(*parent)].name, *parent);
+    nodes[n].parent = nodeOfObject.at(*parent);
+  }
+  return nodes;
 }
 
 /// Planes that enclose the scene and leave a viewer with 24 bits of depth enough of them: a camera at a wall of a room
@@ -82,19 +84,35 @@ GltfCamera cameraOf(const Scene& lit, const PictureView& view) {
 
 }  // namespace
 
-GltfModel makeGltfModel(const Scene& lit, const PictureView& view, std::vector<std::vector<unsigned char>> pngs,
+std::vector<LitPart> litParts(const Scene& lit, std::size_t maxObjects) {
+  const auto partsOf = [&](bool byObject) {
+    std::map<std::optional<int>, std::uint32_t> firstOfObject;
+    std::map<std::pair<std::uint32_t, int>, std::size_t> numbers;
+    std::vector<LitPart> parts;
+    for (std::uint32_t s = 0; s < lit.surfaces.size(); ++s) {
+      const std::optional<int> object = byObject ? lit.surfaces[s].object : std::nullopt;
+      const std::uint32_t first = firstOfObject.try_emplace(object, s).first->second;
+      const int material = lit.surfaces[s].material;
+      const auto [known, isNew] = numbers.try_emplace({first, material}, parts.size());
+      if (isNew) parts.push_back({object, material, {}});
+      parts[known->second].surfaces.push_back(s);
+    }
+    std::stable_sort(parts.begin(), parts.end(), [&](const LitPart& a, const LitPart& b) {
+      return firstOfObject.at(a.object) < firstOfObject.at(b.object);
+    });
+    return parts;
+  };
+  std::vector<LitPart> parts = partsOf(true);
+  return parts.size() <= maxObjects ? parts : partsOf(false);
+}
+
+GltfModel makeGltfModel(const Scene& lit, const PictureView& view, std::vector<GltfTexture> textures,
                         std::size_t maxObjects) {
   GltfModel model;
   model.origin = lit.origin;
-  for (std::size_t t = 0; t < pngs.size(); ++t) model.textures.push_back({lit.materials[t].name, std::move(pngs[t])});
-  for (const Material& material : lit.materials) model.materials.push_back({material.name, material.reflectanceMap});
-  const std::vector<Part> parts = lit.surfaces.size() <= maxObjects ? partsBySurface(lit) : partsByMaterial(lit);
-  const auto isUsed = [&](int material) {
-    return std::any_of(parts.begin(), parts.end(), [&](const Part& part) { return part.material == material; });
-  };
-  if (!isUsed(static_cast<int>(model.materials.size()) - 1)) model.materials.pop_back();  // the one without a map
-  model.objects.resize(parts.size());
-  raster::parallelFor(parts.size(), [&](std::size_t p) { model.objects[p] = objectOf(lit, parts[p]); });
+  model.textures = std::move(textures);
+  for (const Material& material : lit.materials) model.materials.push_back({material.name, *material.reflectanceMap});
+  model.objects = nodesOf(lit, litParts(lit, maxObjects));
   model.camera = cameraOf(lit, view);
   return model;
 }

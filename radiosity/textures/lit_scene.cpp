@@ -1,6 +1,7 @@
 #include "radiosity/textures/lit_scene.h"
 
 #include <charconv>
+#include <map>
 #include <optional>
 #include <unordered_map>
 
@@ -35,16 +36,9 @@ bool areDifferent(const std::vector<CornerColours>& triangles) {
   return false;
 }
 
-/// The colour of a vertex line, sRGB-encoded and rounded to 8-bit codes.
-glm::dvec3 encodedColour(const glm::dvec3& linear) {
-  return glm::dvec3(encodeSrgb(linear.x), encodeSrgb(linear.y), encodeSrgb(linear.z)) / 255.0;
-}
-
-/// The name of the material without a map; no texture has this name.
-std::string gouraudMaterial(const TextureLayout& layout) {
-  std::vector<std::string> names = layout.names;
-  names.push_back("gouraud");
-  return uniqueFileNames(names).back();
+/// A surface of one texel without maps whose corners differ.
+bool isGouraud(const Scene& scene, std::uint32_t surface, const std::vector<CornerColours>& corners) {
+  return !corners.empty() && !hasMaps(scene, scene.surfaces[surface]) && areDifferent(corners);
 }
 
 /// The display textures with the 256 values per channel that an 8-bit sRGB file holds.
@@ -53,29 +47,78 @@ std::vector<CodedImage> codedTextures(const Scene& scene, const Discretization& 
                                       double exposure, TextureFilter filter) {
   const std::vector<std::vector<BorderEdge>> borders = borderEdges(scene, discretization, displayed, filter);
   const std::vector<ImageLevels> maps = levelsOfMaps(scene);
+  const std::vector<std::vector<CornerColours>> corners = cornerRadiosity(scene, discretization, displayed);
+  std::vector<std::vector<std::uint32_t>> gouraud(layout.textures.size());
+  for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s)
+    if (isGouraud(scene, s, corners[s])) gouraud[static_cast<std::size_t>(layout.places[s].texture)].push_back(s);
   std::vector<CodedImage> textures(layout.textures.size());
   raster::parallelFor(textures.size(), [&](std::size_t t) {
     Image texture = filteredTexture(scene, discretization, layout, t, displayed, filter, borders, maps);
+    for (const std::uint32_t s : gouraud[t])
+      drawCorners(scene.surfaces[s], corners[s], layout.places[s], discretization.grids[s],
+                  layout.textures[t].magnification, texture);
     for (glm::dvec3& pixel : texture.pixels) pixel *= exposure;
     textures[t] = encodeSrgb(texture);
   });
   return textures;
 }
 
-/// A material per texture, and behind them the one without a map.
-std::vector<Material> litMaterials(const TextureLayout& layout) {
+/// Gives the surfaces of a lit scene a material per name of a material and texture, in the order of the surfaces. It
+/// has this name; where that has several textures, `NAME/TEXTURE`. Materials that edits changed keep their names.
+void setMaterials(const Scene& scene, const TextureLayout& layout, Scene& lit) {
+  using NameAndTexture = std::pair<std::string, int>;
+  std::map<NameAndTexture, int> numbers;
+  std::map<std::string, int> texturesOfName;
+  std::vector<NameAndTexture> used;
+  for (std::size_t s = 0; s < lit.surfaces.size(); ++s) {
+    const std::string& name = scene.materials[static_cast<std::size_t>(scene.surfaces[s].material)].name;
+    const NameAndTexture pair(name, layout.places[s].texture);
+    const auto [known, isNew] = numbers.try_emplace(pair, static_cast<int>(used.size()));
+    lit.surfaces[s].material = known->second;
+    if (!isNew) continue;
+    used.push_back(pair);
+    ++texturesOfName[name];
+  }
   // loadScene lowers a reflectance of 1, and the pictures of both are the same.
   const glm::dvec3 reflectance(SceneSettings{}.maxReflectance);
-  std::vector<Material> materials;
-  for (const std::string& name : layout.names)
-    materials.push_back(
-        {.name = name, .reflectance = reflectance, .reflectanceMap = static_cast<int>(materials.size())});
-  materials.push_back({.name = gouraudMaterial(layout), .reflectance = reflectance});
-  return materials;
+  for (const auto& [name, texture] : used) {
+    const std::string suffix =
+        texturesOfName[name] > 1 ? "/" + layout.names[static_cast<std::size_t>(texture)] : std::string();
+    lit.materials.push_back({.name = name + suffix, .reflectance = reflectance, .reflectanceMap = texture});
+  }
+}
+
+/// Gives each surface without an object its own.
+void addObjects(Scene& lit) {
+  for (Surface& surface : lit.surfaces)
+    if (!surface.object) {
+      surface.object = static_cast<int>(lit.objects.size());
+      lit.objects.push_back({surface.name});
+    }
+}
+
+/// The names of materials in the files.
+std::vector<std::string> materialNames(const Scene& lit) {
+  std::vector<std::string> names;
+  for (const Material& material : lit.materials) names.push_back(material.name);
+  return uniqueObjNames(names);
+}
+
+/// The names of objects in scene.obj, one per surface.
+std::vector<std::string> objectNames(const Scene& lit) {
+  std::map<int, std::size_t> numbers;
+  std::vector<std::string> names;
+  for (const Surface& surface : lit.surfaces)
+    if (numbers.try_emplace(*surface.object, names.size()).second)
+      names.push_back(lit.objects[static_cast<std::size_t>(*surface.object)].name);
+  names = uniqueObjNames(names);
+  std::vector<std::string> ofSurfaces;
+  for (const Surface& surface : lit.surfaces) ofSurfaces.push_back(names[numbers.at(*surface.object)]);
+  return ofSurfaces;
 }
 
 std::string objText(const Scene& lit) {
-  const std::vector<std::string> names = objectNames(lit);
+  const std::vector<std::string> objects = objectNames(lit), materials = materialNames(lit);
   std::string text =
       "# A scene lit by radiosity: show it without lights, its textures hold the light.\nmtllib scene.mtl\n";
   // The numbers of lines that faces refer to, counted from 1; equal lines are written once.
@@ -86,18 +129,20 @@ std::string objText(const Scene& lit) {
     if (isNew) text += line + "\n";
     return std::to_string(place->second);
   };
+  std::optional<int> object, material;  // of the lines before
   for (std::size_t s = 0; s < lit.surfaces.size(); ++s) {
     const Surface& surface = lit.surfaces[s];
     // Some programs divide a scene by objects, others by groups.
-    text += "o " + names[s] + "\ng " + names[s] + "\nusemtl " +
-            lit.materials[static_cast<std::size_t>(surface.material)].name + "\n";
+    if (object != surface.object) text += "o " + objects[s] + "\ng " + objects[s] + "\n";
+    if (object != surface.object || material != surface.material)
+      text += "usemtl " + materials[static_cast<std::size_t>(surface.material)] + "\n";
+    object = surface.object;
+    material = surface.material;
     for (const Triangle& triangle : surface.triangles) {
       std::string face = "f";
       for (std::size_t k = 0; k < 3; ++k) {
-        std::string position = lineOf("v", triangle.position[k]);
-        if (triangle.cornerColor) position += lineOf("", (*triangle.cornerColor)[k]);
         const std::string texcoord = numberOf(texcoords, lineOf("vt", triangle.texcoord[k]));
-        face += " " + numberOf(positions, position) + "/" + texcoord;
+        face += " " + numberOf(positions, lineOf("v", triangle.position[k])) + "/" + texcoord;
       }
       text += face + "\n";
     }
@@ -105,12 +150,12 @@ std::string objText(const Scene& lit) {
   return text;
 }
 
-std::string mtlText(const Scene& lit) {
+std::string mtlText(const LitScene& lit) {
   std::string text = "# Radiosity textures, to be shown without lights.\n";
-  for (const Material& material : lit.materials) {
-    text += "newmtl " + material.name + "\nKa 0 0 0\nKd 1 1 1\nKs 0 0 0\nillum 0\n";
-    if (material.reflectanceMap) text += "map_Kd " + material.name + ".png\n";
-  }
+  const std::vector<std::string> names = materialNames(lit.scene);
+  for (std::size_t m = 0; m < names.size(); ++m)
+    text += "newmtl " + names[m] + "\nKa 0 0 0\nKd 1 1 1\nKs 0 0 0\nillum 0\nmap_Kd " +
+            lit.layout.names[static_cast<std::size_t>(*lit.scene.materials[m].reflectanceMap)] + ".png\n";
   return text;
 }
 
@@ -120,23 +165,13 @@ LitScene makeLitScene(const Scene& scene, const Discretization& discretization, 
                       const std::vector<glm::dvec3>& displayed, double exposure, TextureFilter filter) {
   LitScene lit{{}, layout, codedTextures(scene, discretization, layout, displayed, exposure, filter)};
   lit.scene.surfaces = scene.surfaces;
-  lit.scene.materials = litMaterials(layout);
-  const std::vector<std::vector<CornerColours>> corners = cornerRadiosity(scene, discretization, displayed);
-  const auto mapless = static_cast<int>(layout.names.size());
-  for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s) {
-    Surface& surface = lit.scene.surfaces[s];
-    const bool isGouraud = !hasMaps(scene, scene.surfaces[s]) && areDifferent(corners[s]);
-    surface.material = isGouraud ? mapless : layout.places[s].texture;
-    for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
-      Triangle& triangle = surface.triangles[t];
-      triangle.cornerColor.reset();
-      if (isGouraud) triangle.cornerColor.emplace();
-      for (std::size_t k = 0; k < 3; ++k) {
+  lit.scene.objects = scene.objects;
+  addObjects(lit.scene);
+  setMaterials(scene, layout, lit.scene);
+  for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s)
+    for (Triangle& triangle : lit.scene.surfaces[s].triangles)
+      for (std::size_t k = 0; k < 3; ++k)
         triangle.texcoord[k] = textureCoordinate(discretization, layout, s, triangle.chart[k]);
-        if (triangle.cornerColor) (*triangle.cornerColor)[k] = encodedColour(exposure * corners[s][t][k]);
-      }
-    }
-  }
   measureBounds(lit.scene);
   return lit;
 }
@@ -152,15 +187,15 @@ std::vector<std::string> writeLitScene(const std::filesystem::path& folder, cons
                                        const PictureView& view, const Discretization& discretization,
                                        const std::vector<glm::dvec3>& radiosity) {
   const std::vector<Image> linear = radiosityTextures(discretization, lit.layout, radiosity);
-  std::vector<std::vector<unsigned char>> pngs(linear.size());
+  std::vector<GltfTexture> pngs(linear.size());
   raster::parallelFor(linear.size(), [&](std::size_t t) {
     writeExr(folder / (lit.layout.names[t] + ".exr"), linear[t]);
     const std::filesystem::path png = folder / (lit.layout.names[t] + ".png");
-    pngs[t] = encodePng(lit.textures[t], png);
-    raster::writeFile(png, {reinterpret_cast<const char*>(pngs[t].data()), pngs[t].size()});
+    pngs[t] = {lit.layout.names[t], encodePng(lit.textures[t], png)};
+    raster::writeFile(png, {reinterpret_cast<const char*>(pngs[t].png.data()), pngs[t].png.size()});
   });
   raster::writeFile(folder / "scene.obj", objText(lit.scene));
-  raster::writeFile(folder / "scene.mtl", mtlText(lit.scene));
+  raster::writeFile(folder / "scene.mtl", mtlText(lit));
   const std::optional<std::string> warning =
       writeGlb(folder / "scene.glb", makeGltfModel(lit.scene, view, std::move(pngs)));
   return warning ? std::vector{*warning} : std::vector<std::string>();

@@ -18,16 +18,17 @@ namespace hemitex::radiosity {
 
 /// A scene as loadScene reads it from the files of writeLitScene, but with its images as codes.
 struct LitScene {
-  Scene scene;                       ///< without images
-  TextureLayout layout;              ///< texture t is the reflectance map of material t
-  std::vector<CodedImage> textures;  ///< the display textures
+  Scene scene;  ///< without images
+  TextureLayout layout;
+  std::vector<CodedImage> textures;  ///< the display textures; texture t is image t of the scene
 };
 
 /// The surfaces of a scene, lit. The reflectance map of a surface is its display texture: `displayed` (see
 /// displayValues), in W/m^2 per element, filtered and magnified as `layout` says, with its maps, times `exposure`, with
 /// the 256 values that an 8-bit sRGB file holds. A surface of one texel without maps whose corners differ is Gouraud
-/// shaded instead: its
-/// triangles have corner colours, and its material, the last one, has no map. Throws InputError as filteredTexture.
+/// shaded instead (see drawCorners). Objects are those of the scene. There is a material per name of a material and
+/// texture, named `NAME`, or `NAME/TEXTURE` if that has several.
+/// Throws InputError as filteredTexture.
 LitScene makeLitScene(const Scene& scene, const Discretization& discretization, const TextureLayout& layout,
                       const std::vector<glm::dvec3>& displayed, double exposure, TextureFilter filter);
 
@@ -37,10 +38,9 @@ Image unlitPicture(const LitScene& lit, const Camera& camera, int width, int hei
 
 /// Writes into `folder`, which exists: scene.obj, scene.mtl, scene.glb and per texture NAME.png, the display texture,
 /// and NAME.exr, the linear `radiosity` of the elements in W/m^2, one texel per texel of the grid. Triangles are
-/// grouped by surface, in the order and winding of the scene. Each surface is an object in scene.obj. Gouraud shaded
-/// ones have colours at their vertices, `v x y z r g b`, encoded in sRGB. For scene.glb see makeGltfModel; a scene that
-/// is too large for that format is written without it. Returns warnings for the user. Throws InputError where a file
-/// cannot be written.
+/// grouped by object and surface, in the order and winding of the scene. Each object of the scene is one of scene.obj,
+/// where names have no blanks. For scene.glb see makeGltfModel; a scene that is too large for that format is written
+/// without it. Returns warnings for the user. Throws InputError where a file cannot be written.
 std::vector<std::string> writeLitScene(const std::filesystem::path& folder, const LitScene& lit,
                                        const PictureView& view, const Discretization& discretization,
                                        const std::vector<glm::dvec3>& radiosity);

@@ -19,7 +19,17 @@ constexpr int largestDisplayTexture = 1024;
 
 using Size = TextureLayout::Size;
 
-int smoothMagnification(const Grid& grid) {
+/// A surface of one element may be Gouraud shaded: then its texture has some texels per triangle.
+int gouraudMagnification(std::size_t triangles) {
+  int magnification = 4;
+  while (magnification < smoothSide &&
+         static_cast<std::size_t>(magnification) * static_cast<std::size_t>(magnification) < 8 * triangles)
+    magnification *= 2;
+  return magnification;
+}
+
+int smoothMagnification(const Grid& grid, std::size_t triangles) {
+  if (!isDiscretized(grid)) return gouraudMagnification(triangles);
   if (grid.elementCount <= 1) return 1;
   int magnification = 1;
   while (magnification * std::max(grid.columns, grid.rows) < smoothSide) magnification *= 2;
@@ -91,8 +101,8 @@ TextureLayout layOutTextures(const Scene& scene, const Discretization& discretiz
   std::vector<Size> sizes;
   for (std::size_t s = 0; s < discretization.grids.size(); ++s) {
     const Grid& grid = discretization.grids[s];
-    const int smooth =
-        std::max(smoothMagnification(grid), detailMagnification(grid, mapPixels(scene, scene.surfaces[s])));
+    const int smooth = std::max(smoothMagnification(grid, scene.surfaces[s].triangles.size()),
+                                detailMagnification(grid, mapPixels(scene, scene.surfaces[s])));
     sizes.push_back({grid.columns + 2 * border, grid.rows + 2 * border, magnification.factor.value_or(smooth)});
   }
   const auto layOut = [&](const auto& largestSide) {

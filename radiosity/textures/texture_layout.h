@@ -4,10 +4,11 @@
 /// magnified in the display texture, so that both have the same texture coordinates.
 ///
 /// The magnification of a surface is by default the smallest power of two that gives its display texture at least 128
-/// texels along the longer side. Then it looks smooth in viewers that do not filter. A surface of one element has one
-/// colour and is not magnified. A surface with maps gets at least as many texels as it shows pixels of them, but at
-/// most 2048 along a side. While all display textures together would have more than 2^26 texels, including borders and
-/// gaps, the largest magnification among all surfaces is halved.
+/// texels along the longer side. Then it looks smooth in viewers that do not filter. A surface of one texel, which may
+/// be Gouraud shaded (see makeLitScene), gets 4 x 4 texels, or about 8 per triangle where there are many. A surface
+/// with maps gets at least as many texels as it shows pixels of them, but at most 2048 along a side. While all display
+/// textures together would have more than 2^26 texels, including borders and gaps, the largest magnification among all
+/// surfaces is halved.
 #pragma once
 
 #include <cstdint>

@@ -153,12 +153,11 @@ const unit = a => a.map(value => value / Math.hypot(...a));
 
 function readTriangles() {
   const points = [], triangles = [];
-  let group = -1;
+  const surfaces = solution.surfaces.flatMap(({triangles}, s) => Array(triangles).fill(s));
   for (const line of readFileSync(join(folder, "scene.obj"), "utf8").split("\n")) {
     const [keyword, ...words] = line.trim().split(/\s+/);
     if (keyword === "v") points.push(words.slice(0, 3).map(Number));
-    if (keyword === "g") ++group;
-    if (keyword === "f") triangles.push({group, corners: words.map(word => points[parseInt(word) - 1])});
+    if (keyword === "f") triangles.push({surface: surfaces[triangles.length], corners: words.map(word => points[parseInt(word) - 1])});
   }
   return triangles;
 }
@@ -170,14 +169,14 @@ function surfaceAt({eye, look_at, up, fov}, x, y) {
   const tangent = Math.tan(fov * Math.PI / 360), a = (2 * x - 1) * tangent * size[0] / size[1], b = (1 - 2 * y) * tangent;
   const ray = forward.map((value, i) => value + a * right[i] + b * above[i]);
   let nearest = Infinity, name = "none";
-  for (const {group, corners: [p, q, r]} of triangles) {
+  for (const {surface, corners: [p, q, r]} of triangles) {
     const normal = cross(minus(q, p), minus(r, p)), slope = dot(normal, ray);
     if (slope >= 0) continue;
     const distance = dot(normal, minus(p, eye)) / slope;
     if (distance <= 0 || distance >= nearest) continue;
     const point = eye.map((value, i) => value + distance * ray[i]);
     const inside = [[p, q], [q, r], [r, p]].every(([s, t]) => dot(cross(minus(t, s), minus(point, s)), normal) >= 0);
-    if (inside) [nearest, name] = [distance, solution.surfaces[group].name];
+    if (inside) [nearest, name] = [distance, solution.surfaces[surface].name];
   }
   return name;
 }

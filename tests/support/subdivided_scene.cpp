@@ -71,10 +71,6 @@ Triangle half(Triangle triangle, std::size_t kept, std::size_t moved) {
   triangle.position[moved] = between(triangle.position[kept], triangle.position[moved]);
   triangle.chart[moved] = onChartGrid(between(triangle.chart[kept], triangle.chart[moved]));
   triangle.texcoord[moved] = between(triangle.texcoord[kept], triangle.texcoord[moved]);
-  if (triangle.cornerColor) {
-    auto& color = *triangle.cornerColor;
-    color[moved] = between(color[kept], color[moved]);
-  }
   return triangle;
 }
 

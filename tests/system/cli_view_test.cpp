@@ -204,7 +204,7 @@ TEST_CASE("solvedPage holds scene.glb in base64, and says if there is none", "[c
   writeAll(shell.file("scene.glb"), "glTF");
   const json room = elementOf(pageOf(), "result")["room"];
   CHECK(room["glb"] == "shown");
-  CHECK(room["parts"] == json::parse(R"([[0, "grey", 4], [1, "grey", 4], [2, "grey", 4]])"));
+  CHECK(room["parts"] == json::parse(R"([[[0, 2], [0, 2], [1, 2], [1, 2], [2, 2], [2, 2]]])"));
   CHECK(pageOf().find(R"(id="glb">Z2xURg==</script>)") != std::string::npos);
 }
 

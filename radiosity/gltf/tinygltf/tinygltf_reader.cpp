@@ -239,19 +239,26 @@ class NodeReader {
 
   /// Reads the node and all below it. A stack, because a file may nest nodes deeper than calls may be.
   void readTree(int root) {
-    std::vector<std::pair<int, glm::dmat4>> open = {{root, glm::dmat4(1.0)}};
+    struct Open {
+      int index = 0;
+      std::optional<int> parent = {};  // in the import
+      glm::dmat4 parentToWorld{1.0};
+    };
+    std::vector<Open> open = {{root}};
     while (!open.empty()) {
-      const auto [index, parent] = open.back();
+      const auto [index, parent, parentToWorld] = open.back();
       open.pop_back();
       const tinygltf::Node& node = itemAt(gltf_.nodes, index, "node");
       if (isVisited_[static_cast<std::size_t>(index)])
         throw Fault{numbered("node", static_cast<std::size_t>(index)) + " has several parents", exportAgain};
       isVisited_[static_cast<std::size_t>(index)] = true;
-      const glm::dmat4 toWorld = parent * localMatrix(node);
+      const glm::dmat4 toWorld = parentToWorld * localMatrix(node);
+      const auto number = static_cast<int>(import_.nodes.size());
+      import_.nodes.push_back({node.name.empty() ? "node-" + std::to_string(index) : node.name, parent});
       if (node.mesh >= 0) readMesh(node, index, toWorld);
       if (node.camera >= 0) readCamera(node, toWorld);
       for (auto child = node.children.rbegin(); child != node.children.rend(); ++child)
-        open.emplace_back(*child, toWorld);
+        open.push_back({*child, number, toWorld});
     }
   }
 
@@ -266,16 +273,17 @@ class NodeReader {
     std::string name = node.name.empty() ? mesh.name : node.name;
     if (name.empty()) name = "node-" + std::to_string(index);
     name = uniqueName(names_, name);
+    import_.nodes.back().name = name;
     for (const tinygltf::Primitive& primitive : mesh.primitives) {
       try {
-        readPrimitive(primitive, name, toWorld);
+        readPrimitive(primitive, toWorld);
       } catch (const Fault& fault) {
         throw Fault{"the mesh of node `" + name + "`: " + fault.problem, fault.advice};
       }
     }
   }
 
-  void readPrimitive(const tinygltf::Primitive& primitive, const std::string& name, const glm::dmat4& toWorld) {
+  void readPrimitive(const tinygltf::Primitive& primitive, const glm::dmat4& toWorld) {
     const bool isOfTriangles = primitive.mode == TINYGLTF_MODE_TRIANGLES ||
                                primitive.mode == TINYGLTF_MODE_TRIANGLE_STRIP ||
                                primitive.mode == TINYGLTF_MODE_TRIANGLE_FAN;
@@ -284,7 +292,7 @@ class NodeReader {
       return;
     }
     ImportedPart part;
-    part.node = name;
+    part.node = static_cast<int>(import_.nodes.size()) - 1;
     if (primitive.material >= 0) {
       itemAt(gltf_.materials, primitive.material, "material");
       part.material = primitive.material;

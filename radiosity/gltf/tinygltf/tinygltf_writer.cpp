@@ -77,35 +77,52 @@ tinygltf::Material unlitMaterial(const GltfMaterial& material) {
   tinygltf::Material unlit;
   unlit.name = material.name;
   unlit.pbrMetallicRoughness.metallicFactor = 0;  // for viewers that do not know unlit materials
-  unlit.pbrMetallicRoughness.baseColorTexture.index = material.texture.value_or(-1);
+  unlit.pbrMetallicRoughness.baseColorTexture.index = material.texture;
   unlit.extensions["KHR_materials_unlit"] = tinygltf::Value(tinygltf::Value::Object());
   return unlit;
 }
 
-/// Appends a node to the scene.
-void appendNode(tinygltf::Model& gltf, tinygltf::Node node) {
-  gltf.nodes.push_back(std::move(node));
-  gltf.scenes.front().nodes.push_back(last(gltf.nodes));
+tinygltf::Primitive appendPrimitive(tinygltf::Model& gltf, const GltfPrimitive& given) {
+  tinygltf::Primitive primitive;
+  primitive.attributes["POSITION"] = appendPositions(gltf, given.positions);
+  primitive.attributes["TEXCOORD_0"] = appendAttribute(gltf, given.texcoords);
+  primitive.indices = appendCorners(gltf, given.corners);
+  primitive.material = given.material;
+  primitive.mode = TINYGLTF_MODE_TRIANGLES;
+  return primitive;
 }
 
+/// Appends the node of an object, with its mesh.
 void appendObject(tinygltf::Model& gltf, const GltfObject& object, const glm::dvec3& origin) {
-  tinygltf::Primitive primitive;
-  primitive.attributes["POSITION"] = appendPositions(gltf, object.positions);
-  primitive.attributes["TEXCOORD_0"] = appendAttribute(gltf, object.texcoords);
-  if (!object.colours.empty()) primitive.attributes["COLOR_0"] = appendAttribute(gltf, object.colours);
-  primitive.indices = appendCorners(gltf, object.corners);
-  primitive.material = object.material;
-  primitive.mode = TINYGLTF_MODE_TRIANGLES;
-  tinygltf::Mesh mesh;
-  mesh.name = object.name;
-  mesh.primitives = {std::move(primitive)};
-  gltf.meshes.push_back(std::move(mesh));
-
   tinygltf::Node node;
   node.name = object.name;
-  node.mesh = last(gltf.meshes);
-  node.translation = {origin.x, origin.y, origin.z};
-  appendNode(gltf, std::move(node));
+  if (!object.parent) node.translation = {origin.x, origin.y, origin.z};
+  if (!object.primitives.empty()) {
+    tinygltf::Mesh mesh;
+    mesh.name = object.name;
+    for (const GltfPrimitive& primitive : object.primitives)
+      mesh.primitives.push_back(appendPrimitive(gltf, primitive));
+    gltf.meshes.push_back(std::move(mesh));
+    node.mesh = last(gltf.meshes);
+  }
+  gltf.nodes.push_back(std::move(node));
+}
+
+/// Appends the objects as the first nodes, and links them.
+void appendObjects(tinygltf::Model& gltf, GltfModel& model) {
+  std::vector<std::optional<int>> parents;
+  for (GltfObject& object : model.objects) {
+    appendObject(gltf, object, model.origin);
+    parents.push_back(object.parent);
+    object = {};
+  }
+  for (std::size_t n = 0; n < parents.size(); ++n) {
+    const auto node = static_cast<int>(n);
+    if (parents[n])
+      gltf.nodes[static_cast<std::size_t>(*parents[n])].children.push_back(node);
+    else
+      gltf.scenes.front().nodes.push_back(node);
+  }
 }
 
 void appendCamera(tinygltf::Model& gltf, const GltfCamera& camera) {
@@ -123,7 +140,8 @@ void appendCamera(tinygltf::Model& gltf, const GltfCamera& camera) {
   node.camera = last(gltf.cameras);
   for (int column = 0; column < 4; ++column)
     for (int row = 0; row < 4; ++row) node.matrix.push_back(camera.toWorld[column][row]);
-  appendNode(gltf, std::move(node));
+  gltf.nodes.push_back(std::move(node));
+  gltf.scenes.front().nodes.push_back(last(gltf.nodes));
 }
 
 tinygltf::Sampler linearSampler() {
@@ -149,10 +167,7 @@ void write(GltfModel model, std::ostream& stream) {
     texture = {};
   }
   for (const GltfMaterial& material : model.materials) gltf.materials.push_back(unlitMaterial(material));
-  for (GltfObject& object : model.objects) {
-    appendObject(gltf, object, model.origin);
-    object = {};
-  }
+  appendObjects(gltf, model);
   appendCamera(gltf, model.camera);
   tinygltf::TinyGLTF().WriteGltfSceneToStream(&gltf, stream, false, true);
 }

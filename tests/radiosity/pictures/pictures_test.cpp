@@ -125,15 +125,6 @@ TEST_CASE("unlitPicture shows Kd without a map, and black for the background", "
       CHECK(pixelAt(picture, column, row) == (column < 4 ? glm::dvec3(0.25, 0.5, 0.75) : glm::dvec3(0.0)));
 }
 
-TEST_CASE("unlitColour decodes and interpolates vertex colours", "[picture]") {
-  Scene scene = sceneOf({fillingQuad(), farAway()}, {Material{.name = "white", .reflectance = glm::dvec3(1.0)}});
-  scene.surfaces[0].triangles[0].cornerColor = {glm::dvec3(0.0), glm::dvec3(1.0), glm::dvec3(0.5, 2, -1)};
-  const glm::dvec3 colour = unlitColour(scene, {.surface = 0, .triangle = 0, .weights = {0.25, 0.25, 0.5}});
-  CHECK(colour.x == Approx(0.25 + 0.5 * decodeSrgb(0.5)).epsilon(1e-15));
-  CHECK(colour.y == Approx(0.75));  // clamped to what a display shows
-  CHECK(colour.z == Approx(0.25));
-}
-
 TEST_CASE("elementPicture shows one value per element, v upwards", "[picture]") {
   const Scene scene = sceneOf({fillingQuad(), farAway()});
   Discretization discretization;

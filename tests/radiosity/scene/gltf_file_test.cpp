@@ -221,6 +221,29 @@ TEST_CASE("readGltf keeps fronts outside in a mirrored node", "[gltf]") {
   CHECK(std::count(triangle.position.begin(), triangle.position.end(), glm::dvec3(2, 0, -8)) == 1);
 }
 
+TEST_CASE("readGltf keeps the tree of nodes and their names", "[gltf]") {
+  Gltf gltf;
+  const int positions = gltf.accessor(square, floatType, "VEC3", 3);
+  const int indices = gltf.accessor(std::vector<std::uint8_t>{0, 1, 2}, byteType, "SCALAR", 1);
+  const json primitive = {{"attributes", {{"POSITION", positions}}}, {"indices", indices}};
+  gltf.add("chair", primitive);
+  gltf.add("chair", primitive, {{"translation", {9, 0, 0}}});
+  gltf.text["nodes"].push_back({{"children", {0, 3}}, {"name", "my room"}});
+  gltf.text["nodes"].push_back({{"children", {1}}});
+  gltf.text["scenes"][0]["nodes"] = {2};
+  const Scene scene = SceneFile("scene.glb", gltf.glb()).load();
+  const std::vector<std::string> names{"my room", "chair", "node-3", "chair~2"};
+  const std::vector<std::optional<int>> parents{{}, 0, 0, 2};
+  REQUIRE(scene.objects.size() == 4);
+  for (std::size_t o = 0; o < 4; ++o) {
+    CHECK(scene.objects[o].name == names[o]);
+    CHECK(scene.objects[o].parent == parents[o]);
+  }
+  REQUIRE(scene.surfaces.size() == 2);
+  CHECK(scene.surfaces[0].object == 1);
+  CHECK(scene.surfaces[1].object == 3);
+}
+
 TEST_CASE("gltfMaterials scales the factor by the texture", "[gltf]") {
   Image image{2, 1, {glm::dvec3(1.0), glm::dvec3(decodeSrgb(51 / 255.0))}};
   Gltf gltf = roomGltf();

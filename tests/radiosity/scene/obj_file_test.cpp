@@ -32,7 +32,7 @@ std::string sectionsOf(const PolygonMesh& obj) {
   std::string text;
   for (const radiosity::MeshPolygon& polygon : obj.polygons) {
     const radiosity::MeshSection& section = obj.sections[polygon.section];
-    text += (text.empty() ? "" : ", ") + section.group + ":" + section.material;
+    text += (text.empty() ? "" : ", ") + obj.objects[section.object].name + ":" + section.material;
   }
   return text;
 }
@@ -169,13 +169,9 @@ TEST_CASE("parseObj reads faces with more corners than a byte can count", "[obj]
   CHECK(obj.polygons[0].cornerCount == 1000);
 }
 
-TEST_CASE("parseObj reads a vertex colour from three or four numbers behind the position", "[obj]") {
-  const PolygonMesh obj = parseObj("v 0 0 0 0.25 0.5 1\nv 0 0 0\nv 0 0 0 1\nv 0 0 0 1 0 0 1\n", "");
-  REQUIRE(obj.colors.size() == 4);
-  CHECK(obj.colors[0] == glm::dvec3(0.25, 0.5, 1));
-  CHECK_FALSE(obj.colors[1]);
-  CHECK_FALSE(obj.colors[2]);
-  CHECK(obj.colors[3] == glm::dvec3(1, 0, 0));
+TEST_CASE("parseObj ignores a weight, a colour or a colour with alpha behind a position", "[obj]") {
+  const PolygonMesh obj = parseObj("v 1 2 3 0.25 0.5 1\nv 1 2 3\nv 1 2 3 1\nv 1 2 3 1 0 0 1\n", "");
+  CHECK(obj.positions == std::vector<glm::dvec3>(4, {1, 2, 3}));
 }
 
 TEST_CASE("parseObj puts faces with the same group and material into one section, wherever they are", "[obj]") {
@@ -197,7 +193,7 @@ TEST_CASE("parseObj puts faces with the same group and material into one section
   CHECK(sectionsOf(obj) == sections);
   for (std::size_t s = 0; s < obj.sections.size(); ++s) {
     for (std::size_t t = 0; t < s; ++t) {
-      CHECK((obj.sections[s].group != obj.sections[t].group || obj.sections[s].material != obj.sections[t].material));
+      CHECK((obj.sections[s].object != obj.sections[t].object || obj.sections[s].material != obj.sections[t].material));
     }
   }
 }

@@ -357,6 +357,8 @@ TEST_CASE("loadScene with Sides::Two makes two surfaces of each, the second reve
     CHECK(back.twin == static_cast<int>(s));
     CHECK(back.name == front.name + "/back");
     CHECK(back.family == front.family + "/back");
+    CHECK(scene.objects.at(static_cast<std::size_t>(back.object.value())).name ==
+          scene.objects.at(static_cast<std::size_t>(front.object.value())).name + "/back");
     for (std::size_t t = 0; t < front.triangles.size(); ++t) {
       CHECK(normal(back.triangles[t]) == -normal(front.triangles[t]));
       CHECK(back.triangles[t].chart[1] == front.triangles[t].chart[2]);
@@ -365,12 +367,16 @@ TEST_CASE("loadScene with Sides::Two makes two surfaces of each, the second reve
   CHECK(scene.surfaces[6].name == "lid");
 }
 
-TEST_CASE("loadScene gives corners the colours of the file if all corners have one", "[scene]") {
-  const Scene scene = load("v 0 0 0 1 0 0\nv 1 0 0 0 1 0\nv 0 1 0 0 0 1\nv 1 1 0\nf 1 2 3\nf 2 4 3\n");
-  const std::vector<Triangle>& triangles = scene.surfaces[0].triangles;
-  REQUIRE(triangles[0].cornerColor);
-  CHECK(*triangles[0].cornerColor == std::array{glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0), glm::dvec3(0, 0, 1)});
-  CHECK_FALSE(triangles[1].cornerColor);
+TEST_CASE("loadScene names the objects of an OBJ file, and keeps the surfaces of each together", "[scene]") {
+  const Scene scene = load(cubeVertices + "o a\nusemtl m\nf 1 2 3 4\no b\nf 8 7 6 5\ng a\nusemtl n\nf 1 5 6 2\n");
+  REQUIRE(scene.objects.size() == 2);
+  CHECK((scene.objects[0].name == "a" && scene.objects[1].name == "b"));
+  REQUIRE(scene.surfaces.size() == 3);
+  const std::array<std::string, 3> names{"a/m", "a/n", "b"};
+  for (std::size_t s = 0; s < 3; ++s) {
+    CHECK(scene.surfaces[s].name == names[s]);
+    CHECK(scene.surfaces[s].object == (s < 2 ? 0 : 1));
+  }
 }
 
 TEST_CASE("Scene::files are the files that loadScene read", "[scene]") {

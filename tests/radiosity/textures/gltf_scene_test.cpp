@@ -19,7 +19,7 @@ using nlohmann::json;
 
 namespace {
 
-/// A room far from zero: two surfaces with textures, two that are Gouraud shaded.
+/// A room far from zero: two surfaces with filtered textures, two that are Gouraud shaded.
 struct FarRoom {
   Scene scene = sceneOf({parallelogram("a b", {5e6, 7, 1}, {1, 0, 0}, {0, 1, 0}),
                          parallelogram("wall#1", {5e6, 7, 1}, {0, 2, 0}, {0, 0, 3}),
@@ -46,7 +46,7 @@ glm::dvec3 vectorOf(const json& numbers) { return {numbers[0], numbers[1], numbe
 
 }  // namespace
 
-TEST_CASE("writeLitScene writes scene.glb with an unlit object per surface", "[gltf]") {
+TEST_CASE("writeLitScene writes scene.glb with an unlit node per surface without object", "[gltf]") {
   const TemporaryFolder folder;
   const FarRoom room;
   const LitScene lit = room.lit();
@@ -56,7 +56,7 @@ TEST_CASE("writeLitScene writes scene.glb with an unlit object per surface", "[g
   CHECK(gltf["asset"]["version"] == "2.0");
   CHECK(gltf["extensionsUsed"] == json({"KHR_materials_unlit"}));
   REQUIRE(gltf["nodes"].size() == 5);  // four surfaces and the camera
-  const std::vector<std::string> names{"a_b", "wall_1", "bright", "dark"};
+  const std::vector<std::string> names{"a b", "wall#1", "bright", "dark"};
   for (std::size_t s = 0; s < 4; ++s) {
     const json &node = gltf["nodes"][s], &mesh = gltf["meshes"][node["mesh"].get<std::size_t>()];
     CHECK(node["name"] == names[s]);
@@ -64,9 +64,7 @@ TEST_CASE("writeLitScene writes scene.glb with an unlit object per surface", "[g
     const json& primitive = mesh["primitives"][0];
     const json &attributes = primitive["attributes"], &material = gltf["materials"][primitive["material"].get<int>()];
     CHECK(material["extensions"].contains("KHR_materials_unlit"));
-    const bool isGouraud = s >= 2;
-    CHECK(attributes.contains("COLOR_0") == isGouraud);
-    CHECK(material["pbrMetallicRoughness"].contains("baseColorTexture") == !isGouraud);
+    CHECK(material["pbrMetallicRoughness"]["baseColorTexture"]["index"] == s);
 
     // The triangles keep their corners in space and in the texture, where glTF counts v from the top.
     const auto corners = accessorValues<std::uint32_t>(glb, primitive["indices"]);
@@ -82,9 +80,6 @@ TEST_CASE("writeLitScene writes scene.glb with an unlit object per surface", "[g
         CHECK(glm::distance(position, triangle.position[k]) < 1e-6);  // in binary32 without translation 0.25
         CHECK(texcoords[corner].x == Approx(triangle.texcoord[k].x).margin(1e-7));
         CHECK(texcoords[corner].y == Approx(1 - triangle.texcoord[k].y).margin(1e-7));
-        if (!isGouraud) continue;
-        const auto colours = accessorValues<glm::vec3>(glb, attributes["COLOR_0"]);
-        CHECK(colours[corner].x == Approx(decodeSrgb((*triangle.cornerColor)[k].x)));
       }
   }
 }
@@ -125,21 +120,60 @@ TEST_CASE("makeGltfModel places the camera of the view", "[gltf]") {
       }
 }
 
-TEST_CASE("makeGltfModel makes one object per material of scenes with very many surfaces", "[gltf]") {
-  const FarRoom room;
-  const LitScene lit = room.lit();
-  const GltfModel model = makeGltfModel(lit.scene, room.view, {}, 3);
-  REQUIRE(model.objects.size() == 3);  // two textures, and the material of both Gouraud shaded surfaces
-  CHECK(model.objects[0].name == "a_b");
-  CHECK(model.objects[2].name == "gouraud");
-  CHECK(model.objects[2].corners.size() == 12);
-  CHECK(model.objects[2].colours.size() == model.objects[2].positions.size());
+TEST_CASE("writeLitScene keeps the objects of the scene as a tree of nodes, with a primitive per material", "[gltf]") {
+  const TemporaryFolder folder;
+  FarRoom room;
+  room.scene.materials = {Material{.name = "plaster"}, Material{.name = "glass"}};
+  room.scene.objects = {{"house"}, {"empty"}, {"storey", 0}, {"wall", 2}, {"lamp"}};
+  const std::array objects{3, 3, 3, 4};
+  for (std::size_t s = 0; s < 4; ++s) room.scene.surfaces[s].object = objects[s];
+  room.scene.surfaces[3].material = 1;
+  REQUIRE(writeLitScene(folder.path, room.lit(), room.view, room.discretization, room.radiosity).empty());
+  const json gltf = parseGlb(readAll(folder.path / "scene.glb")).description;
+  REQUIRE(gltf["nodes"].size() == 5);
+  const std::vector<std::string> names{"wall", "lamp", "storey", "house", "camera"};
+  for (std::size_t n = 0; n < 5; ++n) CHECK(gltf["nodes"][n]["name"] == names[n]);
+  CHECK(gltf["scenes"][0]["nodes"] == json({1, 3, 4}));
+  CHECK(gltf["nodes"][3]["children"] == json({2}));
+  CHECK(gltf["nodes"][2]["children"] == json({0}));
+  for (const std::size_t node : {0, 2}) CHECK_FALSE(gltf["nodes"][node].contains("translation"));
+  for (const std::size_t node : {1, 3}) CHECK(gltf["nodes"][node]["translation"][0] == room.lit().scene.origin.x);
+  CHECK(gltf["meshes"].size() == 2);
+  const std::vector<std::string> materials{"plaster/a_b", "plaster/wall_1", "plaster/bright"};
+  const json& wall = gltf["meshes"][0]["primitives"];
+  REQUIRE(wall.size() == 3);
+  for (std::size_t p = 0; p < 3; ++p)
+    CHECK(gltf["materials"][wall[p]["material"].get<std::size_t>()]["name"] == materials[p]);
+  REQUIRE(gltf["meshes"][1]["primitives"].size() == 1);
+  CHECK(gltf["materials"][gltf["meshes"][1]["primitives"][0]["material"].get<std::size_t>()]["name"] == "glass");
+}
+
+TEST_CASE("litParts makes a part per object and material, or per material of scenes with very many parts", "[gltf]") {
+  FarRoom room;
+  room.scene.objects = {{"a"}, {"b"}};
+  for (std::size_t s = 0; s < 4; ++s) room.scene.surfaces[s].object = static_cast<int>(s % 2);
+  const TextureLayout shared = layOutTextures(room.scene, room.discretization, {}, 0);
+  REQUIRE(shared.names.size() == 3);  // of the Gouraud shaded surfaces, and of two grids
+  const Scene lit =
+      makeLitScene(room.scene, room.discretization, shared, room.radiosity, 1, TextureFilter::Bicubic).scene;
+  const auto surfacesOf = [](const std::vector<LitPart>& parts) {
+    std::vector<std::vector<std::uint32_t>> surfaces;
+    for (const LitPart& part : parts) surfaces.push_back(part.surfaces);
+    return surfaces;
+  };
+  CHECK(surfacesOf(litParts(lit)) == std::vector<std::vector<std::uint32_t>>{{0}, {2}, {1}, {3}});
+  CHECK(surfacesOf(litParts(lit, 3)) == std::vector<std::vector<std::uint32_t>>{{0}, {1}, {2, 3}});
+  const GltfModel model = makeGltfModel(lit, room.view, {}, 3);
+  REQUIRE(model.objects.size() == 3);
+  CHECK(model.objects[0].name == lit.materials[0].name);
+  CHECK(model.objects[2].primitives.at(0).corners.size() == 12);
 }
 
 TEST_CASE("writeGlb warns and writes no file where the format cannot hold the model", "[gltf]") {
   const TemporaryFolder folder;
   const FarRoom room;
-  const GltfModel model = makeGltfModel(room.lit().scene, room.view, std::vector(4, std::vector<unsigned char>(5000)));
+  const GltfModel model =
+      makeGltfModel(room.lit().scene, room.view, std::vector(4, GltfTexture{"t", std::vector<unsigned char>(5000)}));
   CHECK_FALSE(writeGlb(folder.path / "fits.glb", model));
   const auto size = std::filesystem::file_size(folder.path / "fits.glb");
   CHECK(size > 20000);

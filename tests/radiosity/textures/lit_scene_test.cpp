@@ -10,10 +10,11 @@
 #include "radiosity/images/image.h"
 #include "radiosity/pictures/pictures.h"
 #include "radiosity/scene/load_scene.h"
-#include "radiosity/textures/file_names.h"
+#include "radiosity/textures/corner_radiosity.h"
 #include "radiosity/textures/radiosity_texture.h"
 #include "raster/base/input_error.h"
 #include "tests/support/picture_scenes.h"
+#include "tests/support/shell.h"
 #include "tests/support/temporary_folder.h"
 
 using namespace hemitex;
@@ -182,22 +183,44 @@ TEST_CASE("writeLitScene makes surfaces of one texel Gouraud shaded if their cor
   for (int s = 0; s < 3; ++s) addGrid(discretization, 1, 1);
   writeSolution(folder.path, scene, discretization, solutionOf({glm::dvec3(0.2), glm::dvec3(0.5), glm::dvec3(0.7)}), 1);
   const Scene lit = loadScene(folder.path / "scene.obj");
-  CHECK_FALSE(lit.surfaces[2].triangles[0].cornerColor);
-  CHECK(lit.materials[static_cast<std::size_t>(lit.surfaces[2].material)].reflectanceMap);
-  const Triangle& lower = lit.surfaces[0].triangles[0];
-  REQUIRE(lower.cornerColor);
-  CHECK_FALSE(lit.materials[static_cast<std::size_t>(lit.surfaces[0].material)].reflectanceMap);
-
-  const auto isClose = [](const glm::dvec3& colour, double expected) {
-    return glm::distance(colour, glm::dvec3(kd * expected)) < 1e-14;
+  const auto colourAt = [&](std::uint32_t surface, const glm::dvec3& weights) {
+    return unlitColour(lit, {.surface = surface, .triangle = 0, .weights = weights});
   };
-  // The corners at x = 0 belong only to a. At (1,0) one triangle of a meets two of b, at (1,1) two and one.
-  const glm::dvec3 alone = unlitColour(lit, {.surface = 0, .triangle = 0, .weights = {1, 0, 0}});
-  const glm::dvec3 below = unlitColour(lit, {.surface = 0, .triangle = 0, .weights = {0, 1, 0}});
-  const glm::dvec3 above = unlitColour(lit, {.surface = 0, .triangle = 0, .weights = {0, 0, 1}});
-  CHECK(isClose(alone, quantized(0.2)));
-  CHECK(isClose(below, quantized((0.2 + 2 * 0.5) / 3)));
-  CHECK(isClose(above, quantized((2 * 0.2 + 0.5) / 3)));
+  const auto isClose = [](const glm::dvec3& colour, double expected, double tolerance) {
+    return glm::distance(colour, glm::dvec3(kd * expected)) < tolerance;
+  };
+  CHECK(isClose(colourAt(2, {0.2, 0.3, 0.5}), quantized(0.7), 1e-14));
+  // The corners at x = 0 belong only to a. At (1,0) one triangle of a meets two of b, at (1,1) two and one. The second
+  // triangle bends the colours at the diagonal, and codes of 8 bits are some thousandths apart.
+  const glm::dvec3 corners(0.2, (0.2 + 2 * 0.5) / 3, (2 * 0.2 + 0.5) / 3);
+  for (const glm::dvec3& weights : {glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0), glm::dvec3(0, 0, 1),
+                                    glm::dvec3(0.25, 0.5, 0.25), glm::dvec3(0.4, 0.2, 0.4)})
+    CHECK(isClose(colourAt(0, weights), glm::dot(weights, corners), 0.02));
+  CHECK(isClose(colourAt(0, {0.25, 0.5, 0.25}), 0.325, 0.006));
+}
+
+TEST_CASE("drawCorners gives a triangle the exact colours for bilinear interpolation, up to its corners",
+          "[lit-scene]") {
+  const Surface surface =
+      surfaceOf("t", {triangleOf({{0, 0, 0}, {0, 0}}, {{1, 0, 0}, {1, 0.25}}, {{0, 1, 0}, {0.5, 1}})});
+  Grid grid;
+  grid.columns = grid.rows = 1;
+  const CornerColours corners{glm::dvec3(0.2, 0, 5), glm::dvec3(0.7, 1, 5), glm::dvec3(0.4, 3, 5)};
+  for (const int magnification : {1, 2, 4}) {
+    const int side = 4 * magnification;  // one more column than the place, to the left
+    Image texture{side, 3 * magnification,
+                  std::vector<glm::dvec3>(static_cast<std::size_t>(3 * side * magnification), glm::dvec3(-9))};
+    drawCorners(surface, {corners}, {0, 2, 1}, grid, magnification, texture);
+    for (const glm::dvec3& weights : {glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0), glm::dvec3(0, 0, 1),
+                                      glm::dvec3(0.5, 0.5, 0), glm::dvec3(0.2, 0.3, 0.5)}) {
+      const Triangle& triangle = surface.triangles[0];
+      const glm::dvec2 chart =
+          weights.x * triangle.chart[0] + weights.y * triangle.chart[1] + weights.z * triangle.chart[2];
+      const glm::dvec3 expected = weights.x * corners[0] + weights.y * corners[1] + weights.z * corners[2];
+      CHECK(glm::distance(bilinear(texture, {(2 + chart.x) / 4, (1 + chart.y) / 3}), expected) < 1e-12);
+    }
+    CHECK(texture.pixels.front() == glm::dvec3(-9));
+  }
 }
 
 TEST_CASE("writeLitScene magnifies display textures, and keeps one texel per element in the EXR", "[lit-scene]") {
@@ -210,17 +233,36 @@ TEST_CASE("writeLitScene magnifies display textures, and keeps one texel per ele
   CHECK((display.width == 7 * 32 && display.height == 5 * 32));  // 5 * 32 = 160 texels, and 5 * 16 = 80
 }
 
-TEST_CASE("writeLitScene makes each surface an object and a group of scene.obj", "[lit-scene]") {
+TEST_CASE("writeLitScene makes each object of the scene an object and a group, with the materials of the scene",
+          "[lit-scene]") {
   const TemporaryFolder folder;
-  const TiledRoom room(2);
+  TiledRoom room(4);  // 16 tiles per wall, which share textures of two magnifications
+  room.scene.materials = {Material{.name = "white"}, Material{.name = "my red"}};
+  room.scene.objects = {{"house"}};
+  for (const char* name : {"left", "right wall", "floor", "ceiling", "near", "far"})
+    room.scene.objects.push_back({name, 0});
+  for (std::size_t s = 0; s < 96; ++s) {
+    room.scene.surfaces[s].object = static_cast<int>(s / 16) + 1;
+    room.scene.surfaces[s].material = s / 16 == 1 ? 1 : 0;
+  }
   const std::vector<glm::dvec3> radiosity(room.discretization.elements.size(), glm::dvec3(1));
   writeSolution(folder.path, room.scene, room.discretization, solutionOf(radiosity), 0.5);
-  const std::string obj = textOf(folder.path / "scene.obj");
-  for (const std::string& name : objectNames(room.scene))
-    CHECK(obj.find("\no " + name + "\ng " + name + "\nusemtl ") != std::string::npos);
-  const Scene lit = loadScene(folder.path / "scene.obj");
-  REQUIRE(lit.surfaces.size() == room.scene.surfaces.size());
-  for (std::size_t s = 0; s < lit.surfaces.size(); ++s) CHECK(lit.surfaces[s].name == objectNames(room.scene)[s]);
+  std::vector<std::string> objects, groups;
+  std::set<std::string> materials;
+  for (const std::string& line : linesOf(textOf(folder.path / "scene.obj"))) {
+    if (line.starts_with("o ")) objects.push_back(line.substr(2));
+    if (line.starts_with("g ")) groups.push_back(line.substr(2));
+    if (line.starts_with("usemtl ")) materials.insert(line.substr(7));
+  }
+  CHECK(objects == std::vector<std::string>{"left", "right_wall", "floor", "ceiling", "near", "far"});
+  CHECK(groups == objects);
+  const TextureLayout layout = layOutTextures(room.scene, room.discretization, {});
+  std::set<std::string> expected;
+  for (std::size_t s = 0; s < 96; ++s)
+    expected.insert((s / 16 == 1 ? "my_red/" : "white/") +
+                    layout.names[static_cast<std::size_t>(layout.places[s].texture)]);
+  CHECK(expected.size() <= 2 * layout.names.size());
+  CHECK(materials == expected);
 }
 
 TEST_CASE("writeLitScene replaces names that files and groups cannot have", "[lit-scene]") {

@@ -57,12 +57,22 @@ TEST_CASE("layOutTextures magnifies by the smallest power of two that gives 128 
   CHECK(magnificationsOf(charts, {3}) == std::vector(6, 3));
 }
 
-TEST_CASE("layOutTextures does not magnify surfaces of one element, which have one colour", "[texture]") {
+TEST_CASE("layOutTextures does not magnify surfaces of one element in several texels, which have one colour",
+          "[texture]") {
   ChartScene charts = makeCharts({{1, 1}, {4, 4}, {4, 4}});
   Grid& merged = charts.discretization.grids[2];
   merged.elementCount = 1;
   merged.elementOfTexel.assign(16, merged.firstElement);
-  CHECK(magnificationsOf(charts, {}) == std::vector{1, 32, 1});
+  CHECK(magnificationsOf(charts, {}) == std::vector{4, 32, 1});
+}
+
+TEST_CASE("layOutTextures gives surfaces of one texel 4 x 4 texels, or 8 per triangle", "[texture]") {
+  ChartScene charts = makeCharts({{1, 1}, {1, 1}, {1, 1}});
+  std::vector<Triangle>& many = charts.scene.surfaces[1].triangles;
+  while (many.size() < 9) many.push_back(many.front());
+  std::vector<Triangle>& very = charts.scene.surfaces[2].triangles;
+  very.resize(5000, very.front());
+  CHECK(magnificationsOf(charts, {}) == std::vector{4, 16, 128});
 }
 
 TEST_CASE("layOutTextures halves the largest magnification until all display texels are within the budget",
@@ -103,7 +113,7 @@ TEST_CASE("layOutTextures shares textures of at most 1024 x 1024 display texels 
   const std::vector<int> found = magnificationsOf(layout);
   for (std::size_t s = 0; s < grids.size(); ++s) {
     const int side = std::max(grids[s].x, grids[s].y), magnified = side * found[s];
-    CHECK((side == 1 ? found[s] == 1 : magnified >= 128 && magnified < 256));
+    CHECK((side == 1 ? found[s] == 4 : magnified >= 128 && magnified < 256));
   }
   for (const TextureLayout::Size& size : layout.textures) {
     CHECK(size.width * size.magnification <= 1024);
