@@ -7,6 +7,7 @@
 #include "cli/common/table.h"
 #include "radiosity/discretization/patch_points.h"
 #include "radiosity/pictures/picture_exposure.h"
+#include "radiosity/pictures/default_camera.h"
 #include "radiosity/pictures/pictures.h"
 #include "radiosity/textures/radiosity_texture.h"
 #include "raster/base/file_io.h"
@@ -101,7 +102,9 @@ std::optional<radiosity::LitScene> litScene(const SolvedScene& solved) {
 std::vector<std::string> writeSolved(const std::filesystem::path& folder, const SolvedScene& solved,
                                      const std::optional<radiosity::LitScene>& lit) {
   const SolveOptions& options = solved.options;
-  const radiosity::PictureView view{solved.camera, static_cast<double>(options.camera.width) / options.camera.height};
+  const radiosity::PictureView view{solved.camera, static_cast<double>(options.camera.width) / options.camera.height,
+                                    radiosity::upAxis(solved.scene, options.camera.upAxis),
+                                    options.metresPerUnit.value_or(1)};
   std::vector<std::string> warnings;
   if (lit) warnings = radiosity::writeLitScene(folder, *lit, view, solved.discretization, solved.solution.radiosity);
   radiosity::writePng(folder / "render.png", pictureOf(solved, lit));

@@ -51,6 +51,9 @@ struct GltfCamera {
 };
 
 struct GltfModel {
+  /// From scene coordinates to those of glTF, which are metres with +y upwards: a node above all others, unless it is
+  /// the identity.
+  glm::dmat4 toGltf{1.0};
   glm::dvec3 origin{0.0};  ///< translation of the roots, so that scenes far from zero lose no digits in binary32
   std::vector<GltfTexture> textures;
   std::vector<GltfMaterial> materials;

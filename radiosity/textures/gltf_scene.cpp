@@ -77,9 +77,16 @@ GltfCamera cameraOf(const Scene& lit, const PictureView& view) {
                     glm::dvec4(view.camera.eye, 1)};
   camera.fov = view.camera.fov * std::numbers::pi / 180;
   camera.aspect = view.aspect;
-  camera.near = lit.extent / 1000;
-  camera.far = glm::distance(view.camera.eye, lit.origin) + lit.extent;
+  camera.near = view.metresPerUnit * lit.extent / 1000;
+  camera.far = view.metresPerUnit * (glm::distance(view.camera.eye, lit.origin) + lit.extent);
   return camera;
+}
+
+/// The columns are where the axes of the scene are in glTF. If z points up, y points to the back.
+glm::dmat4 toGltf(const PictureView& view) {
+  const double s = view.metresPerUnit;
+  if (view.up == 2) return {{s, 0, 0, 0}, {0, 0, -s, 0}, {0, s, 0, 0}, {0, 0, 0, 1}};
+  return {{s, 0, 0, 0}, {0, s, 0, 0}, {0, 0, s, 0}, {0, 0, 0, 1}};
 }
 
 }  // namespace
@@ -109,6 +116,7 @@ std::vector<LitPart> litParts(const Scene& lit, std::size_t maxObjects) {
 GltfModel makeGltfModel(const Scene& lit, const PictureView& view, std::vector<GltfTexture> textures,
                         std::size_t maxObjects) {
   GltfModel model;
+  model.toGltf = toGltf(view);
   model.origin = lit.origin;
   model.textures = std::move(textures);
   for (const Material& material : lit.materials) model.materials.push_back({material.name, *material.reflectanceMap});

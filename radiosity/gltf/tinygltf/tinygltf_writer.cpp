@@ -125,6 +125,11 @@ void appendObjects(tinygltf::Model& gltf, GltfModel& model) {
   }
 }
 
+std::vector<double> numbersOf(const glm::dmat4& matrix) {
+  const double* first = &matrix[0][0];
+  return {first, first + 16};
+}
+
 void appendCamera(tinygltf::Model& gltf, const GltfCamera& camera) {
   tinygltf::Camera perspective;
   perspective.name = "camera";
@@ -138,10 +143,20 @@ void appendCamera(tinygltf::Model& gltf, const GltfCamera& camera) {
   tinygltf::Node node;
   node.name = "camera";
   node.camera = last(gltf.cameras);
-  for (int column = 0; column < 4; ++column)
-    for (int row = 0; row < 4; ++row) node.matrix.push_back(camera.toWorld[column][row]);
+  node.matrix = numbersOf(camera.toWorld);
   gltf.nodes.push_back(std::move(node));
   gltf.scenes.front().nodes.push_back(last(gltf.nodes));
+}
+
+/// Puts all roots below a node with the matrix.
+void appendRoot(tinygltf::Model& gltf, const glm::dmat4& matrix) {
+  if (matrix == glm::dmat4(1.0)) return;
+  tinygltf::Node root;
+  root.name = "scene";
+  root.matrix = numbersOf(matrix);
+  root.children = std::move(gltf.scenes.front().nodes);
+  gltf.nodes.push_back(std::move(root));
+  gltf.scenes.front().nodes = {last(gltf.nodes)};
 }
 
 tinygltf::Sampler linearSampler() {
@@ -169,6 +184,7 @@ void write(GltfModel model, std::ostream& stream) {
   for (const GltfMaterial& material : model.materials) gltf.materials.push_back(unlitMaterial(material));
   appendObjects(gltf, model);
   appendCamera(gltf, model.camera);
+  appendRoot(gltf, model.toGltf);
   tinygltf::TinyGLTF().WriteGltfSceneToStream(&gltf, stream, false, true);
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "radiosity/scene/load_scene.h"
 #include "radiosity/textures/lit_scene.h"
 #include "raster/base/input_error.h"
 #include "tests/support/glb.h"
@@ -118,6 +119,27 @@ TEST_CASE("makeGltfModel places the camera of the view", "[gltf]") {
         const double distance = glm::dot(corner - eye, ahead - eye);
         CHECK((distance > camera.near && distance < camera.far));
       }
+}
+
+TEST_CASE("makeGltfModel turns a scene with z up upright, and scales it to metres", "[gltf]") {
+  FarRoom room;
+  room.view.up = 2;
+  room.view.metresPerUnit = 0.001;
+  const GltfModel model = makeGltfModel(room.lit().scene, room.view, {});
+  const glm::dvec4 place = model.toGltf * glm::dvec4(1000, 2000, 3000, 1);
+  CHECK(glm::distance(place, glm::dvec4(1, 3, -2, 1)) < 1e-12);
+  CHECK(glm::determinant(glm::dmat3(model.toGltf)) == Approx(1e-9));  // no mirror
+  CHECK(model.camera.near == Approx(1e-6 * room.lit().scene.extent));
+
+  // What is read again is in the coordinates of glTF.
+  const TemporaryFolder folder;
+  writeLitScene(folder.path, room.lit(), room.view, room.discretization, room.radiosity);
+  const Scene read = loadScene(folder.path / "scene.glb");
+  const glm::dvec3 corner = room.scene.surfaces[0].triangles[0].position[0],
+                   found = read.surfaces[0].triangles[0].position[0];
+  CHECK(glm::distance(found, 0.001 * glm::dvec3(corner.x, corner.z, -corner.y)) < 1e-3 * 1e-3);
+  REQUIRE(read.camera);
+  CHECK(glm::distance(read.camera->up, glm::dvec3(0, 0, -1)) < 0.5);  // the y axis of the room
 }
 
 TEST_CASE("writeLitScene keeps the objects of the scene as a tree of nodes, with a primitive per material", "[gltf]") {
