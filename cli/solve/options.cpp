@@ -109,7 +109,8 @@ void addOmissions(Command command, SolveOptions& options) {
       "--no-textures", options.noTextures,
       "do not write textures, nor scene.obj, scene.mtl and scene.glb, which show them; render.png shows elements "
       "without filtering. For scenes of many millions of elements.");
-  for (const char* ofTextures : {"--filter", "--magnify", "--report"}) noTextures.excludes(command.option(ofTextures));
+  for (const char* ofTextures : {"--filter", "--magnify", "--report", "--lightmap"})
+    noTextures.excludes(command.option(ofTextures));
 }
 
 void addEdits(Command command, std::filesystem::path& edits) {
@@ -157,6 +158,10 @@ void addSolveOptions(Command command, SolveOptions& options) {
   command.under("Output").addFlag("--report", options.report,
                                   "also write report.html, which shows the lit scene in 3-D, where the flux went, the "
                                   "convergence, the settings and warnings; it works without a network");
+  command.under("Output").addFlag(
+      "--lightmap", options.lightmap,
+      "also write lightmap.glb, the scene with its own materials, and light maps: the light "
+      "without the colours of surfaces, for programs that multiply both");
   addSceneOptions(command, options.scene);
   addUnits(command, options.metresPerUnit);
   addDiscretizationOptions(command, options.discretization);
@@ -182,6 +187,7 @@ void completeOptions(Command command, SolveOptions& options) {
   // Quadtrees need grids of equal powers of two.
   if (options.adaptive && !options.discretization.texels) options.discretization.texels = 16;
   if (const auto projection = projectionNamed(options.method)) options.drawing.projection = *projection;
+  options.solver.keepsIrradiance = options.lightmap;
   validateFilter(options);
   options.isContinued = !options.edits.empty();
   if (usesRays(options)) refuseUnused(command, {"--edits"}, options.method);

@@ -9,6 +9,7 @@
 #include "radiosity/pictures/picture_exposure.h"
 #include "radiosity/pictures/default_camera.h"
 #include "radiosity/pictures/pictures.h"
+#include "radiosity/textures/light_maps.h"
 #include "radiosity/textures/radiosity_texture.h"
 #include "raster/base/file_io.h"
 
@@ -67,6 +68,15 @@ radiosity::Image pictureOf(const SolvedScene& solved, const std::optional<radios
   return radiosity::elementPicture(solved.scene, solved.discretization, colours, solved.camera, width, height, sky);
 }
 
+std::vector<std::string> writeLightMaps(const std::filesystem::path& folder, const SolvedScene& solved,
+                                        const radiosity::TextureLayout& layout, const radiosity::PictureView& view) {
+  std::vector<glm::dvec3> irradiance = solved.solution.irradiance;
+  for (glm::dvec3& value : irradiance) value += solved.solution.ambient;
+  const radiosity::LightMaps maps = radiosity::makeLightMaps(solved.scene, solved.discretization, layout, irradiance,
+                                                             exposureOf(solved), filterOf(solved.options));
+  return radiosity::writeLightMaps(folder, maps, solved.scene, solved.discretization, layout, irradiance, view);
+}
+
 }  // namespace
 
 std::set<std::string> outputNames(const SolveOptions& options, const radiosity::Scene& scene,
@@ -76,7 +86,9 @@ std::set<std::string> outputNames(const SolveOptions& options, const radiosity::
   if (!options.noTextures) {
     names.insert({"scene.obj", "scene.mtl", "scene.glb"});
     for (const std::string& texture : radiosity::layOutTextures(scene, discretization, magnificationOf(options)).names)
-      names.insert({texture + ".png", texture + ".exr"});
+      for (const std::string folder : {"", "lightmaps/"})
+        if (folder.empty() || options.lightmap) names.insert({folder + texture + ".png", folder + texture + ".exr"});
+    if (options.lightmap) names.insert("lightmap.glb");
   }
   const std::set<std::string> ofFrame = names;
   for (std::size_t f = 1; f <= frames; ++f)
@@ -107,6 +119,9 @@ std::vector<std::string> writeSolved(const std::filesystem::path& folder, const 
                                     options.metresPerUnit.value_or(1)};
   std::vector<std::string> warnings;
   if (lit) warnings = radiosity::writeLitScene(folder, *lit, view, solved.discretization, solved.solution.radiosity);
+  if (lit && options.lightmap)
+    for (std::string& warning : writeLightMaps(folder, solved, lit->layout, view))
+      warnings.push_back(std::move(warning));
   radiosity::writePng(folder / "render.png", pictureOf(solved, lit));
   raster::writeFile(folder / "scene.view.json", toText(toJson(solved.camera)));
   if (!options.noElements)

@@ -29,7 +29,7 @@ std::uint64_t maxSize(const GltfModel& model) {
   for (const GltfObject& object : model.objects) {
     size += 2 * object.name.size() + description;
     for (const GltfPrimitive& primitive : object.primitives)
-      size += primitive.positions.size() * sizeof(glm::vec3) + primitive.texcoords.size() * sizeof(glm::vec2) +
+      size += primitive.positions.size() * sizeof(glm::vec3) + primitive.texcoords.size() * 2 * sizeof(glm::vec2) +
               primitive.corners.size() * sizeof(std::uint32_t) + description;
   }
   return size;

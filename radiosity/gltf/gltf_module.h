@@ -13,25 +13,38 @@
 
 namespace hemitex::radiosity {
 
-// ---- The parts of a glTF 2.0 file that hemitex writes: unlit objects with textures, and a camera --------------------
+// ---- The parts of a glTF 2.0 file that hemitex writes: objects with textures, and a camera --------------------------
 
 struct GltfTexture {
   std::string name;
   std::vector<unsigned char> png;  ///< the bytes of a PNG file, sRGB as glTF requires of base colours
+  bool repeats = false;            ///< outside [0,1]^2, instead of keeping the colour of the edge
 };
 
-/// An unlit material.
+/// A light map beside the file, which the `extras` of a material name; see docs/lightmaps.md.
+struct GltfLightMap {
+  std::string png, exr;  ///< files
+  double scale = 1;      ///< by which the linear values of the PNG file are multiplied
+  double exposure = 1;   ///< the factor from W/m^2 to displayed values
+};
+
+/// A material: unlit, or with a light map, which its primitives then have coordinates of.
 struct GltfMaterial {
   std::string name;
-  int texture = 0;  ///< in GltfModel::textures
+  std::optional<int> texture = {};  ///< in GltfModel::textures; scales the colour
+  glm::dvec3 colour{1.0};           ///< linear, of the base
+  glm::dvec3 emission{0.0};         ///< linear
+  std::optional<int> emissionTexture = {};
+  std::optional<GltfLightMap> lightMap = {};  ///< without it the material is unlit
 };
 
 /// Triangles with one material.
 struct GltfPrimitive {
-  int material = 0;                    ///< in GltfModel::materials
-  std::vector<glm::vec3> positions;    ///< one per vertex, relative to GltfModel::origin
-  std::vector<glm::vec2> texcoords;    ///< one per vertex; v = 0 is the TOP of the texture
-  std::vector<std::uint32_t> corners;  ///< three vertices per triangle, counter-clockwise seen from the front
+  int material = 0;                            ///< in GltfModel::materials
+  std::vector<glm::vec3> positions;            ///< one per vertex, relative to GltfModel::origin
+  std::vector<glm::vec2> texcoords;            ///< one per vertex; v = 0 is the TOP of the texture
+  std::vector<std::uint32_t> corners;          ///< three vertices per triangle, counter-clockwise seen from the front
+  std::vector<glm::vec2> lightMapCoords = {};  ///< TEXCOORD_1: one per vertex, as `texcoords`; or empty
 };
 
 /// A node. Without primitives it has no mesh.

@@ -129,7 +129,7 @@ Solution finished(const SolveInput& input, Solution solution, ShootingState stat
   if (const auto warning = lossWarning(input.scene, solution.energy)) solution.warnings.push_back(*warning);
   if (input.isContinued) solution.continuation = Continuation{state.light(), std::move(rows)};
   solution.patches = state.takePatches();
-  if (hasMaps(input.scene)) solution.irradiance = state.irradiance();
+  if (hasMaps(input.scene) || input.settings.keepsIrradiance) solution.irradiance = state.irradiance();
   solution.radiosity = std::move(state).radiosity();
   return solution;
 }

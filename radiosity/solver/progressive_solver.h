@@ -24,6 +24,7 @@ struct SolverSettings {
   std::optional<int> shots = {};  ///< maximum number of shots; >= 0
   std::size_t rowCacheBytes = std::size_t{1024}
                               << 20;  ///< memory of the cache of rows, for later shots of the same patch
+  bool keepsIrradiance = false;       ///< also for scenes without maps (see Solution::irradiance)
 };
 
 /// The share of light from outside that counts in the default residual and in the weights of patches (see
@@ -64,7 +65,8 @@ struct Continuation {
 
 struct Solution {
   std::vector<glm::dvec3> radiosity;  ///< one per element, W/m^2 per band, without the ambient estimate
-  /// One per element, W/m^2 per band: the flux that it received, over its area. Empty if no surface has a map.
+  /// One per element, W/m^2 per band: the flux that it received, over its area. Empty if no surface has a map and
+  /// the settings do not keep it.
   std::vector<glm::dvec3> irradiance;
   glm::dvec3 ambient{0.0};  ///< ambient radiosity of the unshot flux; times reflectance it is added only for display
   Energy energy;

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <glm/glm.hpp>
 #include <optional>
 #include <vector>
 
@@ -31,10 +33,23 @@ struct LitPart {
 /// in viewers.
 std::vector<LitPart> litParts(const Scene& lit, std::size_t maxObjects = 1 << 14);
 
-/// The model of a lit scene. `textures` are its display textures; texture t is image t of the scene. Each object with
-/// surfaces is a node with a mesh; those above it are nodes without, and others are left out. Positions are in world
-/// space, so that only roots are moved: by the origin. A node above all turns the scene upright and scales it to
-/// metres, as glTF asks, if that changes anything. Parts without object are nodes with the name of their material.
+/// The second texture coordinate of a place in the chart of a surface; v = 0 is the BOTTOM of the texture.
+using CoordinateOf = std::function<glm::dvec2(std::uint32_t surface, const glm::dvec2& chart)>;
+
+/// The nodes of the parts of a scene, with `second` coordinates if there are any. Each object with surfaces is a node
+/// with a mesh; those above it are nodes without, and others are left out. Positions are in world space, so that only
+/// roots are moved: by the origin. Parts without object are nodes with the name of their material.
+std::vector<GltfObject> gltfObjects(const Scene& scene, const CoordinateOf& second = {},
+                                    std::size_t maxObjects = 1 << 14);
+
+/// The camera of a view. Its planes enclose the scene and leave a viewer with 24 bits of depth enough of them: a camera
+/// at a wall of a room of 5 m sees what is farther than 5 mm. Throws InputError as axesOf.
+GltfCamera gltfCamera(const Scene& scene, const PictureView& view);
+
+/// From the coordinates of the scene to those of glTF: upright, in metres.
+glm::dmat4 toGltf(const PictureView& view);
+
+/// The model of a lit scene. `textures` are its display textures; texture t is image t of the scene.
 /// Throws InputError as axesOf.
 GltfModel makeGltfModel(const Scene& lit, const PictureView& view, std::vector<GltfTexture> textures,
                         std::size_t maxObjects = 1 << 14);

@@ -41,28 +41,6 @@ bool isGouraud(const Scene& scene, std::uint32_t surface, const std::vector<Corn
   return !corners.empty() && !hasMaps(scene, scene.surfaces[surface]) && areDifferent(corners);
 }
 
-/// The display textures with the 256 values per channel that an 8-bit sRGB file holds.
-std::vector<CodedImage> codedTextures(const Scene& scene, const Discretization& discretization,
-                                      const TextureLayout& layout, const std::vector<glm::dvec3>& displayed,
-                                      double exposure, TextureFilter filter) {
-  const std::vector<std::vector<BorderEdge>> borders = borderEdges(scene, discretization, displayed, filter);
-  const std::vector<ImageLevels> maps = levelsOfMaps(scene);
-  const std::vector<std::vector<CornerColours>> corners = cornerRadiosity(scene, discretization, displayed);
-  std::vector<std::vector<std::uint32_t>> gouraud(layout.textures.size());
-  for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s)
-    if (isGouraud(scene, s, corners[s])) gouraud[static_cast<std::size_t>(layout.places[s].texture)].push_back(s);
-  std::vector<CodedImage> textures(layout.textures.size());
-  raster::parallelFor(textures.size(), [&](std::size_t t) {
-    Image texture = filteredTexture(scene, discretization, layout, t, displayed, filter, borders, maps);
-    for (const std::uint32_t s : gouraud[t])
-      drawCorners(scene.surfaces[s], corners[s], layout.places[s], discretization.grids[s],
-                  layout.textures[t].magnification, texture);
-    for (glm::dvec3& pixel : texture.pixels) pixel *= exposure;
-    textures[t] = encodeSrgb(texture);
-  });
-  return textures;
-}
-
 /// Gives the surfaces of a lit scene a material per name of a material and texture, in the order of the surfaces. It
 /// has this name; where that has several textures, `NAME/TEXTURE`. Materials that edits changed keep their names.
 void setMaterials(const Scene& scene, const TextureLayout& layout, Scene& lit) {
@@ -86,15 +64,6 @@ void setMaterials(const Scene& scene, const TextureLayout& layout, Scene& lit) {
         texturesOfName[name] > 1 ? "/" + layout.names[static_cast<std::size_t>(texture)] : std::string();
     lit.materials.push_back({.name = name + suffix, .reflectance = reflectance, .reflectanceMap = texture});
   }
-}
-
-/// Gives each surface without an object its own.
-void addObjects(Scene& lit) {
-  for (Surface& surface : lit.surfaces)
-    if (!surface.object) {
-      surface.object = static_cast<int>(lit.objects.size());
-      lit.objects.push_back({surface.name});
-    }
 }
 
 /// The names of materials in the files.
@@ -161,9 +130,38 @@ std::string mtlText(const LitScene& lit) {
 
 }  // namespace
 
+std::vector<CodedImage> displayTextures(const Scene& scene, const Discretization& discretization,
+                                        const TextureLayout& layout, const std::vector<glm::dvec3>& displayed,
+                                        double exposure, TextureFilter filter, const std::vector<ImageLevels>& maps) {
+  const std::vector<std::vector<BorderEdge>> borders = borderEdges(scene, discretization, displayed, filter);
+  const std::vector<std::vector<CornerColours>> corners = cornerRadiosity(scene, discretization, displayed);
+  std::vector<std::vector<std::uint32_t>> gouraud(layout.textures.size());
+  for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s)
+    if (isGouraud(scene, s, corners[s])) gouraud[static_cast<std::size_t>(layout.places[s].texture)].push_back(s);
+  std::vector<CodedImage> textures(layout.textures.size());
+  raster::parallelFor(textures.size(), [&](std::size_t t) {
+    Image texture = filteredTexture(scene, discretization, layout, t, displayed, filter, borders, maps);
+    for (const std::uint32_t s : gouraud[t])
+      drawCorners(scene.surfaces[s], corners[s], layout.places[s], discretization.grids[s],
+                  layout.textures[t].magnification, texture);
+    for (glm::dvec3& pixel : texture.pixels) pixel *= exposure;
+    textures[t] = encodeSrgb(texture);
+  });
+  return textures;
+}
+
+void addObjects(Scene& lit) {
+  for (Surface& surface : lit.surfaces)
+    if (!surface.object) {
+      surface.object = static_cast<int>(lit.objects.size());
+      lit.objects.push_back({surface.name});
+    }
+}
+
 LitScene makeLitScene(const Scene& scene, const Discretization& discretization, const TextureLayout& layout,
                       const std::vector<glm::dvec3>& displayed, double exposure, TextureFilter filter) {
-  LitScene lit{{}, layout, codedTextures(scene, discretization, layout, displayed, exposure, filter)};
+  LitScene lit{
+      {}, layout, displayTextures(scene, discretization, layout, displayed, exposure, filter, levelsOfMaps(scene))};
   lit.scene.surfaces = scene.surfaces;
   lit.scene.objects = scene.objects;
   addObjects(lit.scene);

@@ -11,6 +11,7 @@
 #include "radiosity/pictures/camera.h"
 #include "radiosity/scene/scene.h"
 #include "radiosity/textures/gltf_scene.h"
+#include "radiosity/textures/map_texels.h"
 #include "radiosity/textures/texture_filter.h"
 #include "radiosity/textures/texture_layout.h"
 
@@ -23,12 +24,20 @@ struct LitScene {
   std::vector<CodedImage> textures;  ///< the display textures; texture t is image t of the scene
 };
 
+/// The textures of values per element, in W/m^2: filtered and magnified as `layout` says, with `maps` (see
+/// levelsOfMaps) if there are any, times `exposure`, with the 256 values per channel that an 8-bit sRGB file holds. A
+/// surface of one texel without maps whose corners differ is Gouraud shaded instead (see drawCorners). Throws
+/// InputError as filteredTexture.
+std::vector<CodedImage> displayTextures(const Scene& scene, const Discretization& discretization,
+                                        const TextureLayout& layout, const std::vector<glm::dvec3>& values,
+                                        double exposure, TextureFilter filter, const std::vector<ImageLevels>& maps);
+
+/// Gives each surface without an object its own.
+void addObjects(Scene& scene);
+
 /// The surfaces of a scene, lit. The reflectance map of a surface is its display texture: `displayed` (see
-/// displayValues), in W/m^2 per element, filtered and magnified as `layout` says, with its maps, times `exposure`, with
-/// the 256 values that an 8-bit sRGB file holds. A surface of one texel without maps whose corners differ is Gouraud
-/// shaded instead (see drawCorners). Objects are those of the scene. There is a material per name of a material and
-/// texture, named `NAME`, or `NAME/TEXTURE` if that has several.
-/// Throws InputError as filteredTexture.
+/// displayValues) as displayTextures gives it. Objects are those of the scene. There is a material per name of a
+/// material and texture, named `NAME`, or `NAME/TEXTURE` if that has several. Throws InputError as filteredTexture.
 LitScene makeLitScene(const Scene& scene, const Discretization& discretization, const TextureLayout& layout,
                       const std::vector<glm::dvec3>& displayed, double exposure, TextureFilter filter);
 

@@ -1,6 +1,8 @@
 /// The module hemitex_gltf: writes glTF by tinygltf.
 #include <tiny_gltf.h>
 
+#include <algorithm>
+#include <set>
 #include <span>
 
 #include "radiosity/gltf/gltf_module.h"
@@ -69,23 +71,61 @@ void appendTexture(tinygltf::Model& gltf, const GltfTexture& texture) {
   gltf.images.push_back(std::move(image));
   tinygltf::Texture sampled;
   sampled.source = last(gltf.images);
-  sampled.sampler = 0;
+  sampled.sampler = texture.repeats ? 1 : 0;
   gltf.textures.push_back(std::move(sampled));
 }
 
-tinygltf::Material unlitMaterial(const GltfMaterial& material) {
-  tinygltf::Material unlit;
-  unlit.name = material.name;
-  unlit.pbrMetallicRoughness.metallicFactor = 0;  // for viewers that do not know unlit materials
-  unlit.pbrMetallicRoughness.baseColorTexture.index = material.texture;
-  unlit.extensions["KHR_materials_unlit"] = tinygltf::Value(tinygltf::Value::Object());
-  return unlit;
+std::vector<double> numbersOf(const glm::dvec3& vector) { return {vector.x, vector.y, vector.z}; }
+
+tinygltf::Value extrasOf(const GltfLightMap& map) {
+  tinygltf::Value::Object extras;
+  extras["lightMap"] = tinygltf::Value(map.png);
+  extras["lightMapLinear"] = tinygltf::Value(map.exr);
+  extras["lightMapTexCoord"] = tinygltf::Value(1);
+  extras["lightMapScale"] = tinygltf::Value(map.scale);
+  extras["exposure"] = tinygltf::Value(map.exposure);
+  return tinygltf::Value(std::move(extras));
+}
+
+/// Factors of emission are at most 1; a strength holds the rest.
+void setEmission(const GltfMaterial& material, tinygltf::Material& written) {
+  const double strength = std::max({1.0, material.emission.x, material.emission.y, material.emission.z});
+  written.emissiveFactor = numbersOf(material.emission / strength);
+  written.emissiveTexture.index = material.emissionTexture.value_or(-1);
+  if (strength == 1) return;
+  tinygltf::Value::Object extension;
+  extension["emissiveStrength"] = tinygltf::Value(strength);
+  written.extensions["KHR_materials_emissive_strength"] = tinygltf::Value(std::move(extension));
+}
+
+tinygltf::Material materialOf(const GltfMaterial& material) {
+  tinygltf::Material written;
+  written.name = material.name;
+  written.pbrMetallicRoughness.metallicFactor = 0;  // also for viewers that do not know unlit materials
+  written.pbrMetallicRoughness.baseColorTexture.index = material.texture.value_or(-1);
+  if (!material.lightMap) {
+    written.extensions["KHR_materials_unlit"] = tinygltf::Value(tinygltf::Value::Object());
+    return written;
+  }
+  written.pbrMetallicRoughness.baseColorFactor = {material.colour.x, material.colour.y, material.colour.z, 1};
+  setEmission(material, written);
+  written.extras = extrasOf(*material.lightMap);
+  return written;
+}
+
+/// The extensions that materials use.
+std::vector<std::string> extensionsOf(const std::vector<tinygltf::Material>& materials) {
+  std::set<std::string> names;
+  for (const tinygltf::Material& material : materials)
+    for (const auto& [name, value] : material.extensions) names.insert(name);
+  return {names.begin(), names.end()};
 }
 
 tinygltf::Primitive appendPrimitive(tinygltf::Model& gltf, const GltfPrimitive& given) {
   tinygltf::Primitive primitive;
   primitive.attributes["POSITION"] = appendPositions(gltf, given.positions);
   primitive.attributes["TEXCOORD_0"] = appendAttribute(gltf, given.texcoords);
+  if (!given.lightMapCoords.empty()) primitive.attributes["TEXCOORD_1"] = appendAttribute(gltf, given.lightMapCoords);
   primitive.indices = appendCorners(gltf, given.corners);
   primitive.material = given.material;
   primitive.mode = TINYGLTF_MODE_TRIANGLES;
@@ -159,11 +199,11 @@ void appendRoot(tinygltf::Model& gltf, const glm::dmat4& matrix) {
   gltf.scenes.front().nodes = {last(gltf.nodes)};
 }
 
-tinygltf::Sampler linearSampler() {
+tinygltf::Sampler linearSampler(int wrap) {
   tinygltf::Sampler sampler;
   sampler.magFilter = TINYGLTF_TEXTURE_FILTER_LINEAR;
   sampler.minFilter = TINYGLTF_TEXTURE_FILTER_LINEAR_MIPMAP_LINEAR;
-  sampler.wrapS = sampler.wrapT = TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE;
+  sampler.wrapS = sampler.wrapT = wrap;
   return sampler;
 }
 
@@ -172,16 +212,18 @@ void write(GltfModel model, std::ostream& stream) {
   tinygltf::Model gltf;
   gltf.asset.version = "2.0";
   gltf.asset.generator = "hemitex";
-  gltf.extensionsUsed = {"KHR_materials_unlit"};
   gltf.buffers.emplace_back();
   gltf.scenes.emplace_back();
   gltf.defaultScene = 0;
-  gltf.samplers = {linearSampler()};
+  gltf.samplers = {linearSampler(TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE)};
+  if (std::any_of(model.textures.begin(), model.textures.end(), [](const GltfTexture& t) { return t.repeats; }))
+    gltf.samplers.push_back(linearSampler(TINYGLTF_TEXTURE_WRAP_REPEAT));
   for (GltfTexture& texture : model.textures) {
     appendTexture(gltf, texture);
     texture = {};
   }
-  for (const GltfMaterial& material : model.materials) gltf.materials.push_back(unlitMaterial(material));
+  for (const GltfMaterial& material : model.materials) gltf.materials.push_back(materialOf(material));
+  gltf.extensionsUsed = extensionsOf(gltf.materials);
   appendObjects(gltf, model);
   appendCamera(gltf, model.camera);
   appendRoot(gltf, model.toGltf);

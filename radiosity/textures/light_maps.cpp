@@ -1,0 +1,86 @@
+#include "radiosity/textures/light_maps.h"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <utility>
+
+#include "radiosity/textures/lit_scene.h"
+#include "radiosity/textures/radiosity_texture.h"
+#include "raster/base/file_io.h"
+#include "raster/base/parallel.h"
+
+namespace hemitex::radiosity {
+namespace {
+
+/// The largest exposed irradiance that a light map has to hold.
+double scaleOf(const Scene& scene, const Discretization& discretization, const std::vector<glm::dvec3>& irradiance,
+               double exposure) {
+  double scale = 0;
+  for (std::uint32_t e = 0; e < irradiance.size(); ++e) {
+    const glm::dvec3 reflected = reflectance(scene, discretization, e);
+    for (int band = 0; band < 3; ++band)
+      if (reflected[band] > 0) scale = std::max(scale, std::min(exposure * irradiance[e][band], 1 / reflected[band]));
+  }
+  return scale > 0 ? scale : 1;
+}
+
+/// Gives the surfaces a material per material and texture; returns them as those of a glTF file. A material of several
+/// textures gets the names `MATERIAL/TEXTURE`.
+std::vector<GltfMaterial> splitMaterials(Scene& scene, const TextureLayout& layout, const LightMaps& maps) {
+  std::map<std::pair<int, int>, int> numbers;  // of a material and a texture
+  std::map<int, int> textureCounts;
+  for (std::size_t s = 0; s < scene.surfaces.size(); ++s)
+    if (numbers.try_emplace({scene.surfaces[s].material, layout.places[s].texture}, 0).second)
+      ++textureCounts[scene.surfaces[s].material];
+  std::vector<GltfMaterial> materials;
+  for (auto& [pair, number] : numbers) {
+    number = static_cast<int>(materials.size());
+    const Material& material = scene.materials[static_cast<std::size_t>(pair.first)];
+    const std::string& texture = layout.names[static_cast<std::size_t>(pair.second)];
+    materials.push_back(
+        {textureCounts[pair.first] > 1 ? material.name + "/" + texture : material.name, material.reflectanceMap,
+         material.reflectance, material.emission, material.emissionMap,
+         GltfLightMap{"lightmaps/" + texture + ".png", "lightmaps/" + texture + ".exr", maps.scale, maps.exposure}});
+  }
+  for (std::size_t s = 0; s < scene.surfaces.size(); ++s)
+    scene.surfaces[s].material = numbers.at({scene.surfaces[s].material, layout.places[s].texture});
+  return materials;
+}
+
+}  // namespace
+
+LightMaps makeLightMaps(const Scene& scene, const Discretization& discretization, const TextureLayout& layout,
+                        const std::vector<glm::dvec3>& irradiance, double exposure, TextureFilter filter) {
+  const double scale = scaleOf(scene, discretization, irradiance, exposure);
+  return {exposure, scale, displayTextures(scene, discretization, layout, irradiance, exposure / scale, filter, {})};
+}
+
+std::vector<std::string> writeLightMaps(const std::filesystem::path& folder, const LightMaps& maps, Scene scene,
+                                        const Discretization& discretization, const TextureLayout& layout,
+                                        const std::vector<glm::dvec3>& irradiance, const PictureView& view) {
+  const std::filesystem::path images = folder / "lightmaps";
+  std::filesystem::create_directory(images);
+  const std::vector<Image> linear = radiosityTextures(discretization, layout, irradiance);
+  raster::parallelFor(linear.size(), [&](std::size_t t) {
+    writeExr(images / (layout.names[t] + ".exr"), linear[t]);
+    const std::filesystem::path file = images / (layout.names[t] + ".png");
+    const std::vector<unsigned char> png = encodePng(maps.textures[t], file);
+    raster::writeFile(file, {reinterpret_cast<const char*>(png.data()), png.size()});
+  });
+  GltfModel model;
+  model.origin = scene.origin;
+  for (std::size_t i = 0; i < scene.images.size(); ++i)
+    model.textures.push_back(
+        {"image-" + std::to_string(i + 1), encodePng(encodeSrgb(scene.images[i]), folder / "lightmap.glb"), true});
+  addObjects(scene);
+  model.materials = splitMaterials(scene, layout, maps);
+  model.objects = gltfObjects(scene, [&](std::uint32_t surface, const glm::dvec2& chart) {
+    return textureCoordinate(discretization, layout, surface, chart);
+  });
+  model.camera = gltfCamera(scene, view);
+  const std::optional<std::string> warning = writeGlb(folder / "lightmap.glb", std::move(model));
+  return warning ? std::vector{*warning} : std::vector<std::string>();
+}
+
+}  // namespace hemitex::radiosity
