@@ -78,6 +78,7 @@ std::vector<std::string> writeLightMaps(const std::filesystem::path& folder, con
   model.objects = gltfObjects(scene, [&](std::uint32_t surface, const glm::dvec2& chart) {
     return textureCoordinate(discretization, layout, surface, chart);
   });
+  model.toGltf = toGltf(view);
   model.camera = gltfCamera(scene, view);
   const std::optional<std::string> warning = writeGlb(folder / "lightmap.glb", std::move(model));
   return warning ? std::vector{*warning} : std::vector<std::string>();
