@@ -5,6 +5,7 @@
 #include <string>
 
 #include "raster/base/input_error.h"
+#include "raster/base/parallel.h"
 
 namespace hemitex::radiosity {
 namespace {
@@ -86,9 +87,13 @@ std::uint32_t elementAt(const Scene& scene, const Discretization& discretization
 
 Image drawPicture(const Scene& scene, const Camera& camera, int width, int height, const ColourOf& colourOf,
                   const glm::dvec3& background) {
-  std::vector<glm::dvec3> colours;
-  for (const std::optional<Visible>& visible : seeTwice(scene, camera, width, height))
-    colours.push_back(visible ? colourOf(*visible) : background);
+  const std::vector<std::optional<Visible>> samples = seeTwice(scene, camera, width, height);
+  std::vector<glm::dvec3> colours(samples.size(), background);
+  const std::size_t rowLength = 2 * static_cast<std::size_t>(width);
+  raster::parallelFor(samples.size() / rowLength, [&](std::size_t row) {
+    for (std::size_t i = row * rowLength; i < (row + 1) * rowLength; ++i)
+      if (samples[i]) colours[i] = colourOf(*samples[i]);
+  });
   return halved(colours, width, height);
 }
 

@@ -17,7 +17,7 @@ namespace hemitex::radiosity {
 /// The element that contains a visible point.
 std::uint32_t elementAt(const Scene& scene, const Discretization& discretization, const Visible& visible);
 
-/// The linear colour of the visible point of a sample.
+/// The linear colour of the visible point of a sample. Several threads call it.
 using ColourOf = std::function<glm::dvec3(const Visible&)>;
 
 /// A picture with 2 x 2 samples per pixel, averaged in linear light. Samples without a surface have the colour

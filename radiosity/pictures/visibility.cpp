@@ -6,6 +6,7 @@
 
 #include "radiosity/index_maps/scene_draw_list.h"
 #include "radiosity/projection/patch_view.h"
+#include "raster/base/parallel.h"
 
 namespace hemitex::radiosity {
 namespace {
@@ -63,10 +64,10 @@ std::vector<std::optional<Visible>> TriangleView::see(const Camera& camera, int 
   const raster::ItemId background = raster::backgroundId(renderer_.drawList().format);
   const auto direction = directionsOf(face);
   std::vector<std::optional<Visible>> samples(buffer.ids.size());
-  for (int row = 0; row < height; ++row)
+  raster::parallelFor(static_cast<std::size_t>(height), [&](std::size_t rowIndex) {
+    const auto row = static_cast<int>(rowIndex);
     for (int column = 0; column < width; ++column) {
-      const auto pixel =
-          static_cast<std::size_t>(row) * static_cast<std::size_t>(width) + static_cast<std::size_t>(column);
+      const auto pixel = rowIndex * static_cast<std::size_t>(width) + static_cast<std::size_t>(column);
       if (buffer.ids[pixel] == background) continue;
       const auto [surface, triangle] = places_[buffer.ids[pixel]];
       std::array<glm::dvec3, 3> corner = scene_.surfaces[surface].triangles[triangle].position;
@@ -75,6 +76,7 @@ std::vector<std::optional<Visible>> TriangleView::see(const Camera& camera, int 
       samples[fromTop * static_cast<std::size_t>(width) + static_cast<std::size_t>(column)] = {
           surface, triangle, weightsOf(corner, glm::dvec3(face.eye), direction(column, row))};
     }
+  });
   return samples;
 }
 
