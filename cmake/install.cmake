@@ -14,4 +14,4 @@ configure_package_config_file(cmake/hemitexConfig.cmake.in hemitexConfig.cmake I
   NO_CHECK_REQUIRED_COMPONENTS_MACRO)
 write_basic_package_version_file(hemitexConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/hemitexConfig.cmake ${CMAKE_CURRENT_BINARY_DIR}/hemitexConfigVersion.cmake
-  cmake/Findlibmd.cmake cmake/Findepoxy.cmake DESTINATION ${package_folder})
+  cmake/Findlibmd.cmake cmake/Findlibzip.cmake cmake/Findepoxy.cmake DESTINATION ${package_folder})

@@ -1,0 +1,44 @@
+/// Files of form-factor matrices. The end of a file's name says its format:
+///
+///   .npz   SciPy's compressed rows (npz_file.h)             read and written
+///   .mtx   Matrix Market (text_matrices.h)                  read and written
+///   .csv   from, to, form factor (text_matrices.h)          read and written
+///   .vf    View3D, text and binary (view3d_matrix.h)        read
+///   .txt   row, column, value (text_matrices.h)             read
+#pragma once
+
+#include <filesystem>
+#include <memory>
+
+#include "reference/truth/matrices/matrix_rows.h"
+#include "reference/truth/matrices/sparse_matrix.h"
+
+namespace hemitex::reference {
+
+/// Reads a matrix of form factors. It is square, or has the columns `surroundings` and `backs` behind those of the
+/// facets. Throws InputError for an unknown format, a damaged file, and any other number of columns.
+MatrixFile readMatrix(const std::filesystem::path& file);
+
+/// Whether matrices are written in the format of a name.
+bool isMatrixFile(const std::filesystem::path& file);
+
+/// Writes a matrix row by row, and keeps no entries in memory. What it writes is complete after `finish` alone, so the
+/// file should have a temporary name until then. NPZ files also need room for two files with the same name and
+/// `.indices` and `.data` behind it.
+class MatrixWriter {
+ public:
+  /// Throws InputError if the format is not written, or the file cannot be.
+  MatrixWriter(const std::filesystem::path& file, const MatrixHeading& heading);
+
+  /// Writes the next row. Entries that are 0 are left out. Columns ascend and are below heading.columns(). Throws
+  /// InputError if the file cannot be written.
+  void write(const SparseRow& row);
+  /// To be called after as many rows as there are facets. Throws InputError as above.
+  void finish();
+
+ private:
+  std::unique_ptr<RowSink> sink_;
+  std::size_t rowsLeft_;
+};
+
+}  // namespace hemitex::reference

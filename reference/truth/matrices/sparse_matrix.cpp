@@ -1,0 +1,94 @@
+#include "reference/truth/matrices/sparse_matrix.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <tuple>
+
+#include "raster/base/input_error.h"
+
+namespace hemitex::reference {
+namespace {
+
+[[noreturn]] void fail(const std::string& file, const std::string& what) {
+  throw raster::InputError(file, 0, what, "write the file again");
+}
+
+[[noreturn]] void failTwice(const std::string& file, std::size_t row, std::uint32_t column) {
+  fail(file, "row " + std::to_string(row) + " has column " + std::to_string(column) + " twice, counted from 0");
+}
+
+void sortRow(SparseMatrix& matrix, std::size_t begin, std::size_t end) {
+  std::vector<std::size_t> order(end - begin);
+  std::iota(order.begin(), order.end(), begin);
+  std::sort(order.begin(), order.end(),
+            [&](std::size_t a, std::size_t b) { return matrix.column[a] < matrix.column[b]; });
+  std::vector<std::pair<std::uint32_t, double>> sorted;
+  for (const std::size_t i : order) sorted.emplace_back(matrix.column[i], matrix.value[i]);
+  for (std::size_t i = 0; i < sorted.size(); ++i)
+    std::tie(matrix.column[begin + i], matrix.value[begin + i]) = sorted[i];
+}
+
+}  // namespace
+
+SparseRow SparseMatrix::row(std::size_t r) const {
+  const std::size_t begin = rowStart[r], count = rowStart[r + 1] - begin;
+  return {std::span(column).subspan(begin, count), std::span(value).subspan(begin, count)};
+}
+
+void SparseMatrix::append(const SparseRow& row) {
+  for (std::size_t i = 0; i < row.value.size(); ++i) {
+    if (row.value[i] == 0) continue;
+    column.push_back(row.column[i]);
+    value.push_back(row.value[i]);
+  }
+  rowStart.push_back(value.size());
+}
+
+SparseMatrix matrixOf(std::vector<MatrixEntry> entries, std::size_t rows, std::uint64_t columns,
+                      const std::string& file) {
+  const auto place = [](const MatrixEntry& entry) { return std::tie(entry.row, entry.column); };
+  const auto isBefore = [place](const MatrixEntry& a, const MatrixEntry& b) { return place(a) < place(b); };
+  if (!std::is_sorted(entries.begin(), entries.end(), isBefore)) std::sort(entries.begin(), entries.end(), isBefore);
+  const auto twice = std::adjacent_find(entries.begin(), entries.end(),
+                                        [place](const auto& a, const auto& b) { return place(a) == place(b); });
+  if (twice != entries.end()) failTwice(file, twice->row, twice->column);
+  SparseMatrix matrix{.columns = columns, .rowStart = std::vector<std::uint64_t>(rows + 1, 0)};
+  matrix.column.reserve(entries.size());
+  matrix.value.reserve(entries.size());
+  for (const MatrixEntry& entry : entries) {
+    ++matrix.rowStart[entry.row + std::size_t{1}];
+    matrix.column.push_back(entry.column);
+    matrix.value.push_back(entry.value);
+  }
+  std::partial_sum(matrix.rowStart.begin(), matrix.rowStart.end(), matrix.rowStart.begin());
+  return matrix;
+}
+
+void checkAndSort(SparseMatrix& matrix, const std::string& file) {
+  if (matrix.columns >= maxColumns) fail(file, "the matrix has " + std::to_string(matrix.columns) + " columns");
+  if (matrix.column.size() != matrix.value.size())
+    fail(file, "there are " + std::to_string(matrix.column.size()) + " columns for " +
+                   std::to_string(matrix.value.size()) + " values");
+  if (matrix.rowStart.empty() || matrix.rowStart.front() != 0 || matrix.rowStart.back() != matrix.value.size())
+    fail(file, "the starts of rows do not lead from 0 to the number of entries");
+  if (const auto end = std::is_sorted_until(matrix.rowStart.begin(), matrix.rowStart.end());
+      end != matrix.rowStart.end())
+    fail(file, "row " + std::to_string(end - matrix.rowStart.begin() - 1) + " ends before it starts");
+  for (std::size_t r = 0; r < matrix.rows(); ++r) {
+    const std::size_t begin = matrix.rowStart[r], end = matrix.rowStart[r + 1];
+    const auto first = matrix.column.begin() + static_cast<std::ptrdiff_t>(begin),
+               last = matrix.column.begin() + static_cast<std::ptrdiff_t>(end);
+    if (!std::is_sorted(first, last)) sortRow(matrix, begin, end);
+    if (const auto twice = std::adjacent_find(first, last); twice != last) failTwice(file, r, *twice);
+    if (first != last && *(last - 1) >= matrix.columns)
+      fail(file, "row " + std::to_string(r) + " has an entry in column " + std::to_string(*(last - 1)) +
+                     ", counted from 0; the matrix has " + std::to_string(matrix.columns) + " columns");
+    for (std::size_t i = begin; i < end; ++i)
+      if (!std::isfinite(matrix.value[i]))
+        fail(file,
+             "row " + std::to_string(r) + ", column " + std::to_string(matrix.column[i]) + " is not a finite number");
+  }
+}
+
+}  // namespace hemitex::reference
