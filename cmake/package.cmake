@@ -16,5 +16,5 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION graphics)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 # What programs that link the libraries are built with.
-set(CPACK_DEBIAN_PACKAGE_SUGGESTS "g++, cmake, libglm-dev, libtbb-dev, libhwy-dev, libembree-dev, libzip-dev, libmd-dev, libepoxy-dev")
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS "g++, cmake, libglm-dev, libtbb-dev, libhwy-dev, libembree-dev, libpugixml-dev, zlib1g-dev, libzip-dev, libmd-dev, libepoxy-dev")
 include(CPack)

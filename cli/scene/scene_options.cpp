@@ -66,7 +66,10 @@ std::vector<std::string> largestFamilies(const radiosity::Scene& scene) {
 
 void addSceneOptions(Command command, SceneOptions& options) {
   command = command.under("Scene");
-  command.addPath("SCENE", options.file, "scene: Wavefront OBJ, or glTF 2.0 (.gltf, .glb)").required();
+  command
+      .addPath("SCENE", options.file,
+               "scene: Wavefront OBJ, glTF 2.0 (.gltf, .glb), or a mesh (.stl, .ply, .vtu, .vtp, .vtk, .vs3)")
+      .required();
   addChoice(command, "--charts", options.settings.charts, chartsChoices,
             "take charts from the texture coordinates of the file (file), or make one per planar part (planar); auto "
             "uses the coordinates that form a chart, and otherwise one per planar or curved part (default auto)");

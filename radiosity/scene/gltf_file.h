@@ -15,8 +15,8 @@
 #include <vector>
 
 #include "radiosity/gltf/gltf_module.h"
+#include "radiosity/meshes/polygon_mesh.h"
 #include "radiosity/scene/materials.h"
-#include "radiosity/scene/polygon_mesh.h"
 #include "radiosity/scene/scene.h"
 #include "radiosity/scene/scene_settings.h"
 

@@ -13,13 +13,19 @@
 #include <string_view>
 #include <utility>
 
+#include "radiosity/meshes/legacy_vtk_file.h"
+#include "radiosity/meshes/obj_file.h"
+#include "radiosity/meshes/ply_file.h"
+#include "radiosity/meshes/stl_file.h"
+#include "radiosity/meshes/text_lines.h"
+#include "radiosity/meshes/vs3_file.h"
+#include "radiosity/meshes/vtk_xml_file.h"
 #include "radiosity/scene/gltf_file.h"
 #include "radiosity/scene/materials.h"
 #include "radiosity/scene/mesh_sections.h"
-#include "radiosity/scene/obj_file.h"
-#include "radiosity/scene/obj_lines.h"
 #include "radiosity/scene/open_sheets.h"
 #include "radiosity/scene/section_charts.h"
+#include "raster/base/file_io.h"
 #include "raster/base/input_error.h"
 #include "raster/base/short_number.h"
 
@@ -42,22 +48,46 @@ std::string endingOf(const std::filesystem::path& file) {
 
 bool isGltf(const std::filesystem::path& file) { return endingOf(file) == ".gltf" || endingOf(file) == ".glb"; }
 
-/// A format that is not read: the end of a file's name, and the bytes with which such files start, if they have any.
+/// A format of plain meshes: the end of a file's name, the bytes with which such files start, if they always do, and
+/// the function that parses them.
+struct MeshFormat {
+  std::string_view ending, start, name;
+  PolygonMesh (*parse)(std::string_view bytes, const std::filesystem::path& file);
+};
+
+constexpr std::array meshFormats{MeshFormat{".stl", "solid ", "an STL mesh", parseStl},
+                                 MeshFormat{".ply", "ply", "a PLY mesh", parsePly},
+                                 MeshFormat{".vtk", "# vtk DataFile", "a VTK file", parseLegacyVtk},
+                                 MeshFormat{".vtu", "<VTKFile", "a VTK file", parseVtkXml},
+                                 MeshFormat{".vtp", "<VTKFile", "a VTK file", parseVtkXml},
+                                 MeshFormat{".vs3", "", "a View3D file", parseVs3}};
+
+/// A format that is not read.
 struct ForeignFormat {
   std::string_view ending, start, name;
 };
 
-constexpr std::array foreignFormats{ForeignFormat{".stl", "solid ", "an STL mesh"},
-                                    ForeignFormat{".ply", "ply", "a PLY mesh"},
-                                    ForeignFormat{".fbx", "Kaydara FBX", "an FBX scene"},
+constexpr std::array foreignFormats{ForeignFormat{".fbx", "Kaydara FBX", "an FBX scene"},
                                     ForeignFormat{".blend", "BLENDER", "a Blender file"},
                                     ForeignFormat{".3ds", "", "a 3DS scene"},
+                                    ForeignFormat{".3mf", "", "a 3MF mesh"},
                                     ForeignFormat{".dae", "", "a COLLADA scene"},
                                     ForeignFormat{".usdz", "", "a USD scene"},
                                     ForeignFormat{".usdc", "PXR-USDC", "a USD scene"},
-                                    ForeignFormat{".skp", "", "a SketchUp file"}};
+                                    ForeignFormat{".skp", "", "a SketchUp file"},
+                                    ForeignFormat{".msh", "$MeshFormat", "a Gmsh mesh"},
+                                    ForeignFormat{".step", "ISO-10303-21", "a STEP file"},
+                                    ForeignFormat{".stp", "ISO-10303-21", "a STEP file"},
+                                    ForeignFormat{".off", "OFF", "an OFF mesh"}};
 
-/// Throws InputError for a file in another format than OBJ or glTF, by its name or its first bytes.
+/// The format of plain meshes that a name has; null for OBJ, glTF and unknown ones.
+const MeshFormat* meshFormatOf(const std::filesystem::path& file) {
+  const auto found = std::find_if(meshFormats.begin(), meshFormats.end(),
+                                  [&](const MeshFormat& format) { return endingOf(file) == format.ending; });
+  return found == meshFormats.end() ? nullptr : &*found;
+}
+
+/// Throws InputError for a file that is not what its name says, by its name or its first bytes.
 void refuseForeignFormat(const std::filesystem::path& file) {
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(file, ignored)) return;  // reading it says why
@@ -67,7 +97,16 @@ void refuseForeignFormat(const std::filesystem::path& file) {
   const std::string_view start(bytes.data(), static_cast<std::size_t>(stream.gcount()));
   for (const ForeignFormat& format : foreignFormats)
     if (endingOf(file) == format.ending || (!format.start.empty() && start.starts_with(format.start)))
-      fail({file}, "is " + std::string(format.name) + ", not OBJ or glTF", "export it as OBJ or glTF");
+      fail({file}, "is " + std::string(format.name) + ", which is not read", "export it as OBJ, glTF, STL, PLY or VTU");
+  if (meshFormatOf(file) != nullptr) return;  // its parser says what is wrong
+  for (const MeshFormat& format : meshFormats)
+    if (!format.start.empty() && start.starts_with(format.start))
+      fail({file}, "is " + std::string(format.name) + ", not OBJ or glTF",
+           "give it a name that ends in " + std::string(format.ending));
+}
+
+PolygonMesh readPlainMesh(const MeshFormat& format, const std::filesystem::path& file) {
+  return format.parse(raster::readFile(file, "check the path, and that it is a file you may read"), file);
 }
 
 /// The argument of `mtllib` is one file name with blanks if such a file exists, else one file name per word.
@@ -201,7 +240,7 @@ double brightestEmission(const Scene& scene) {
          "no face has an area above rounding: the largest one is " + raster::shortNumber(size) +
              " units across, at coordinates up to " + raster::shortNumber(coordinate),
          "move the scene to the origin, or scale its faces up");
-  fail({file}, "the scene is empty: it has no face with area", "give an OBJ or glTF file with faces");
+  fail({file}, "the scene is empty: it has no face with area", "give a file with faces");
 }
 
 }  // namespace
@@ -210,10 +249,15 @@ Scene loadScene(const std::filesystem::path& file, const SceneSettings& settings
   if (!(settings.maxReflectance >= 0 && settings.maxReflectance < 1)) {
     throw raster::InputError("the largest reflectance must be at least 0 and below 1");
   }
+  if (settings.facets && settings.sides != Sides::One)
+    throw raster::InputError("facets have one side each", "leave the other sides out");
   refuseForeignFormat(file);
   Scene scene;
   const std::optional<GltfFile> gltf = isGltf(file) ? std::optional(readGltf(file)) : std::nullopt;
-  const PolygonMesh mesh = gltf ? gltf->mesh : readObj(file);
+  const MeshFormat* plain = meshFormatOf(file);
+  PolygonMesh mesh = gltf ? gltf->mesh : plain ? readPlainMesh(*plain, file) : readObj(file);
+  if (settings.facets) divideIntoFacets(mesh);
+  scene.faces = mesh.polygons.size();
   scene.warnings = mesh.warnings;
   scene.objects = mesh.objects;
   std::vector<Section> sections = cutIntoSections(mesh, scene.warnings);
@@ -242,6 +286,8 @@ Scene loadScene(const std::filesystem::path& file, const SceneSettings& settings
   if (scene.extent < smallestExtent) fail({file}, "the scene is smaller than 1e-18 units", "scale it up");
   return scene;
 }
+
+bool isPlainMesh(const std::filesystem::path& file) { return meshFormatOf(file) != nullptr; }
 
 bool emitsLight(const Scene& scene) { return brightestEmission(scene) > 0 || brightest(scene.outside) > 0; }
 

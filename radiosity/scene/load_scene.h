@@ -1,4 +1,5 @@
-/// Reads a scene file with its materials and images: glTF if its name ends in .gltf or .glb, else OBJ.
+/// Reads a scene file with its materials and images. The end of its name says the format: glTF (.gltf, .glb), STL, PLY,
+/// VTK (.vtu, .vtp, .vtk), View3D (.vs3), and OBJ for all others.
 #pragma once
 
 #include <filesystem>
@@ -18,6 +19,9 @@ namespace hemitex::radiosity {
 /// A face is degenerate if none of its triangles has area (see hasArea). Triangles without area of other faces are
 /// dropped without a warning. A scene without emission is no error here; callers that need light call requireEmission.
 Scene loadScene(const std::filesystem::path& file, const SceneSettings& settings = {});
+
+/// Whether a file has a format of plain meshes, without materials, in which each face counts: all but OBJ and glTF.
+bool isPlainMesh(const std::filesystem::path& file);
 
 /// Whether a surface emits in any band, or light comes from outside.
 bool emitsLight(const Scene& scene);

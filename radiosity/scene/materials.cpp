@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "radiosity/scene/mtl_file.h"
-#include "radiosity/scene/obj_lines.h"
+#include "radiosity/meshes/text_lines.h"
 #include "raster/base/file_io.h"
 #include "raster/base/input_error.h"
 

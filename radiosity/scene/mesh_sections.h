@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "radiosity/scene/polygon_mesh.h"
+#include "radiosity/meshes/polygon_mesh.h"
 #include "radiosity/scene/scene.h"
 
 namespace hemitex::radiosity {

@@ -7,7 +7,7 @@
 #include <array>
 #include <cstdlib>
 
-#include "radiosity/scene/obj_lines.h"
+#include "radiosity/meshes/text_lines.h"
 
 namespace hemitex::radiosity {
 namespace {

@@ -1,4 +1,4 @@
-/// The scene: an OBJ or glTF file with its materials, checked, triangulated and with charts.
+/// The scene: a file of a scene or mesh with its materials, checked, triangulated and with charts.
 ///
 /// A surface is a set of triangles that share a material and a chart: coordinates in [0,1]^2 that no two triangles
 /// share. The index map covers the chart, so that each texel is an element of the surface (Nielsen and Christensen
@@ -72,6 +72,7 @@ struct Scene {
   std::vector<Image> images;
   /// Object by object in the order of their first faces; backs of two-sided ones behind all fronts.
   std::vector<Surface> surfaces;
+  std::size_t faces = 0;                   ///< of the file, with those that were dropped
   std::optional<int> up = {};              ///< the axis that points up, if the file states it: 1, y, in glTF
   OutsideLight outside = {};               ///< not part of the file
   std::vector<std::string> warnings;       ///< one sentence each, for the user

@@ -1,4 +1,4 @@
-/// Settings for reading an OBJ file and its materials.
+/// Settings for reading a scene file and its materials.
 #pragma once
 
 #include <numbers>
@@ -36,6 +36,8 @@ struct SceneSettings {
   std::optional<double> crease = {};
   double maxReflectance = 0.9999;  ///< a reflectance of 1 or more is lowered to this, with a warning; in [0, 1)
   Sides sides = Sides::One;
+  /// Each face of the file is a surface, named by its number (see divideIntoFacets). Needs one-sided surfaces.
+  bool facets = false;
   EmissionUnit emission = EmissionUnit::Radiosity;  ///< unit of Ke
 };
 

@@ -10,7 +10,7 @@
 
 #include "radiosity/geometry/chart_validation.h"
 #include "radiosity/geometry/mesh_charts.h"
-#include "radiosity/scene/obj_lines.h"
+#include "radiosity/meshes/text_lines.h"
 
 namespace hemitex::radiosity {
 namespace {

@@ -8,8 +8,8 @@
 #include <filesystem>
 #include <vector>
 
+#include "radiosity/meshes/polygon_mesh.h"
 #include "radiosity/scene/mesh_sections.h"
-#include "radiosity/scene/polygon_mesh.h"
 #include "radiosity/scene/scene.h"
 #include "radiosity/scene/scene_settings.h"
 

@@ -395,12 +395,12 @@ TEST_CASE("loadScene says that coordinates are too large for the size of faces",
 
 TEST_CASE("loadScene names a format that it does not read, by the name of the file or its first bytes", "[scene]") {
   const SceneFiles files("solid cube\nfacet normal 0 0 1\n");
-  CHECK_THROWS_WITH(files.load(), Catch::Contains("scene.obj: is an STL mesh, not OBJ or glTF; export it as OBJ or "));
-  for (const auto& [name, format] : {std::pair("a.STL", "an STL mesh"),
-                                     {"a.blend", "a Blender file"},
+  CHECK_THROWS_WITH(files.load(),
+                    Catch::Contains("scene.obj: is an STL mesh, not OBJ or glTF; give it a name that ends in .stl"));
+  for (const auto& [name, format] : {std::pair("a.BLEND", "a Blender file"),
                                      {"a.fbx", "an FBX scene"},
                                      {"a.3ds", "a 3DS scene"},
-                                     {"a.ply", "a PLY mesh"}}) {
+                                     {"a.step", "a STEP file"}}) {
     files.write(name, "\x01\x02");
     CHECK_THROWS_WITH(loadScene(files.path(name)), Catch::Contains(std::string(name) + ": is " + format));
   }

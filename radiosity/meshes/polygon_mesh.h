@@ -5,9 +5,11 @@
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "radiosity/meshes/text_lines.h"
 #include "radiosity/scene/scene.h"
 
 namespace hemitex::radiosity {
@@ -33,23 +35,34 @@ struct MeshCorner {
 };
 
 struct PolygonMesh {
-  std::vector<glm::dvec3> positions;  ///< finite; absolute coordinates at most 1e18
-  std::vector<glm::dvec2> texcoords;  ///< finite; absolute coordinates at most 1e18
-  std::vector<glm::dvec3> normals;    ///< of any length, perhaps 0
-  std::vector<MeshCorner> corners;
-  std::vector<MeshPolygon> polygons;  ///< in file order
-  std::vector<MeshSection> sections;  ///< in the order of their first faces
+  std::vector<glm::dvec3> positions = {};              ///< finite; absolute coordinates at most 1e18
+  std::vector<glm::dvec2> texcoords = {};              ///< finite; absolute coordinates at most 1e18
+  std::vector<glm::dvec3> normals = {};                ///< of any length, perhaps 0
+  std::vector<MeshCorner> corners = {};
+  std::vector<MeshPolygon> polygons = {};  ///< in file order
+  std::vector<MeshSection> sections = {};  ///< in the order of their first faces
   /// In the order of their first faces. OBJ: groups; `default` before any group, and a blank between several names of
   /// one `g`. glTF: all nodes.
-  std::vector<SceneObject> objects;
-  std::vector<std::string>
-      materialLibraries;  ///< OBJ: the argument of each `mtllib`, a file or several with blanks between them
-  std::vector<std::string> warnings;  ///< about faults in unused data, for the user
+  std::vector<SceneObject> objects = {};
+  std::vector<std::string> materialLibraries =
+      {};  ///< OBJ: the argument of each `mtllib`, a file or several with blanks between them
+  std::vector<std::string> warnings = {};  ///< about faults in unused data, for the user
 };
 
 /// The square of a larger coordinate would leave the range of binary32, which drawing uses. A larger texture coordinate
 /// could not be located between texels.
 inline constexpr double largestCoordinate = 1e18;
+
+/// Appends a position without a colour. Throws InputError at `place` if a coordinate is not finite or too large.
+void addPosition(PolygonMesh& mesh, const glm::dvec3& position, const Place& place);
+
+/// Appends a polygon of positions, of the last section. Throws InputError if it has fewer than 3 corners, or a position
+/// that the mesh lacks.
+void addPolygon(PolygonMesh& mesh, std::span<const std::uint32_t> positions, const Place& place);
+
+/// Makes each polygon a section of its own with its material. The group is the number of the polygon, counted from 0.
+/// In meshes of several groups it is `group#number`.
+void divideIntoFacets(PolygonMesh& mesh);
 
 /// Where a polygon is, for messages: `line 7` of a text file, else `face 7`, counted from 1.
 std::string placeOf(const PolygonMesh& mesh, std::uint32_t polygon);

@@ -1,4 +1,4 @@
-#include "radiosity/scene/obj_lines.h"
+#include "radiosity/meshes/text_lines.h"
 
 #include <algorithm>
 #include <charconv>

@@ -1,4 +1,4 @@
-#include "radiosity/scene/obj_file.h"
+#include "radiosity/meshes/obj_file.h"
 
 #include <algorithm>
 #include <array>
@@ -9,7 +9,7 @@
 #include <map>
 #include <utility>
 
-#include "radiosity/scene/obj_lines.h"
+#include "radiosity/meshes/text_lines.h"
 #include "raster/base/file_io.h"
 #include "raster/base/input_error.h"
 
@@ -48,12 +48,7 @@ class NumberReader {
     std::array<double, 7> n{};
     const std::size_t count = readNumbers(rest, n, place);
     if (count < 3 || count == 5) fail(place, "a vertex has 3 coordinates, and may have a weight or a colour behind");
-    for (int axis = 0; axis < 3; ++axis) {
-      if (std::fabs(n[static_cast<std::size_t>(axis)]) > largestCoordinate) {
-        fail(place, "a coordinate is above 1e18 in size", "scale the scene down");
-      }
-    }
-    obj_.positions.emplace_back(n[0], n[1], n[2]);
+    addPosition(obj_, {n[0], n[1], n[2]}, place);
   }
 
   void readTexcoord(std::string_view rest, const Place& place) {

@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <string_view>
 
-#include "radiosity/scene/polygon_mesh.h"
+#include "radiosity/meshes/polygon_mesh.h"
 
 namespace hemitex::radiosity {
 

@@ -1,5 +1,5 @@
 // parseObj: exact numbers, errors with their line, and the structure of the format.
-#include "radiosity/scene/obj_file.h"
+#include "radiosity/meshes/obj_file.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>

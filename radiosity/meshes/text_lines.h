@@ -1,4 +1,4 @@
-/// Lines of the text formats OBJ and MTL: a keyword, then words separated by blanks. All numbers are parsed here,
+/// Lines of text formats such as OBJ: a keyword, then words separated by blanks. All numbers are parsed here,
 /// correctly rounded to double. A word that is no finite number is an error with file and line.
 #pragma once
 

@@ -1,0 +1,85 @@
+#include "radiosity/meshes/number_source.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstring>
+
+namespace hemitex::radiosity {
+namespace {
+
+template <typename Number>
+double numberOf(std::array<char, 8> bytes, std::size_t size) {
+  Number number = 0;
+  std::memcpy(&number, bytes.data(), size);
+  return static_cast<double>(number);
+}
+
+const std::string giveWhole = "give the whole file";
+
+}  // namespace
+
+std::size_t bytesOf(NumberType type) {
+  constexpr std::array<std::size_t, 10> sizes{1, 1, 2, 2, 4, 4, 8, 8, 4, 8};
+  return sizes[static_cast<std::size_t>(type)];
+}
+
+NumberSource::NumberSource(std::string_view bytes, NumberEncoding encoding, const Place& place)
+    : bytes_(bytes), encoding_(encoding), file_(place.file), line_(place.line) {}
+
+/// The next word of a text.
+std::string_view NumberSource::word() {
+  constexpr std::string_view blanks = " \t\r\n\v\f";
+  const std::size_t begin = std::min(bytes_.find_first_not_of(blanks), bytes_.size());
+  line_ += static_cast<int>(std::count(bytes_.begin(), bytes_.begin() + static_cast<std::ptrdiff_t>(begin), '\n'));
+  bytes_.remove_prefix(begin);
+  if (bytes_.empty()) fail(place(), "the file ends where a number is missing", giveWhole);
+  const std::string_view found = bytes_.substr(0, std::min(bytes_.find_first_of(blanks), bytes_.size()));
+  bytes_.remove_prefix(found.size());
+  return found;
+}
+
+double NumberSource::next(NumberType type) {
+  if (encoding_ == NumberEncoding::Text) {
+    std::array<double, 1> number{};
+    std::string_view text = word();
+    if (readNumbers(text, number, place()) == 0) fail(place(), "a number is missing");
+    return number[0];
+  }
+  const std::size_t size = bytesOf(type);
+  if (bytes_.size() < size) fail(place(), "the file ends where a number is missing", giveWhole);
+  std::array<char, 8> bytes{};
+  std::copy_n(bytes_.begin(), size, bytes.begin());
+  bytes_.remove_prefix(size);
+  const bool isNative = (encoding_ == NumberEncoding::LittleEndian) == (std::endian::native == std::endian::little);
+  if (!isNative) std::reverse(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(size));
+  constexpr std::array readers{numberOf<std::int8_t>,   numberOf<std::uint8_t>,  numberOf<std::int16_t>,
+                               numberOf<std::uint16_t>, numberOf<std::int32_t>,  numberOf<std::uint32_t>,
+                               numberOf<std::int64_t>,  numberOf<std::uint64_t>, numberOf<float>,
+                               numberOf<double>};
+  const double number = readers[static_cast<std::size_t>(type)](bytes, size);
+  if (!std::isfinite(number)) fail(place(), "a number is not finite");
+  return number;
+}
+
+std::uint32_t NumberSource::nextIndex(NumberType type, std::uint32_t most) {
+  const double number = next(type);
+  if (!(number >= 0 && number <= most && number == std::floor(number)))
+    fail(place(), "a number should be an integer from 0 to " + std::to_string(most), giveWhole);
+  return static_cast<std::uint32_t>(number);
+}
+
+void NumberSource::skip(NumberType type, std::size_t count) {
+  require(type, count);
+  if (encoding_ != NumberEncoding::Text) return bytes_.remove_prefix(count * bytesOf(type));
+  for (std::size_t i = 0; i < count; ++i) word();
+}
+
+void NumberSource::require(NumberType type, std::uint64_t count) const {
+  const std::uint64_t size = encoding_ == NumberEncoding::Text ? 1 : bytesOf(type);
+  if (count > bytes_.size() / size)
+    fail(place(), "the file ends where " + std::to_string(count) + " numbers begin", giveWhole);
+}
+
+}  // namespace hemitex::radiosity

@@ -1,0 +1,174 @@
+#include "radiosity/meshes/ply_file.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <vector>
+
+#include "radiosity/meshes/number_source.h"
+#include "raster/base/input_error.h"
+
+namespace hemitex::radiosity {
+namespace {
+
+/// A number of each element, or a list of numbers.
+struct Property {
+  std::string name;
+  NumberType type;
+  std::optional<NumberType> countType = {};  ///< of a list
+};
+
+struct Element {
+  std::string name;
+  std::uint32_t count = 0;
+  std::vector<Property> properties = {};
+};
+
+struct Header {
+  NumberEncoding encoding = NumberEncoding::Text;
+  std::vector<Element> elements = {};
+  std::string_view body = {};
+  int bodyLine = 0;
+};
+
+NumberType typeNamed(std::string_view name, const Place& place) {
+  constexpr std::array<std::pair<std::string_view, NumberType>, 16> types{{{"char", NumberType::Int8},
+                                                                           {"int8", NumberType::Int8},
+                                                                           {"uchar", NumberType::Uint8},
+                                                                           {"uint8", NumberType::Uint8},
+                                                                           {"short", NumberType::Int16},
+                                                                           {"int16", NumberType::Int16},
+                                                                           {"ushort", NumberType::Uint16},
+                                                                           {"uint16", NumberType::Uint16},
+                                                                           {"int", NumberType::Int32},
+                                                                           {"int32", NumberType::Int32},
+                                                                           {"uint", NumberType::Uint32},
+                                                                           {"uint32", NumberType::Uint32},
+                                                                           {"float", NumberType::Float32},
+                                                                           {"float32", NumberType::Float32},
+                                                                           {"double", NumberType::Float64},
+                                                                           {"float64", NumberType::Float64}}};
+  const auto found = std::find_if(types.begin(), types.end(), [name](const auto& type) { return type.first == name; });
+  if (found == types.end()) fail(place, "'" + raster::excerpt(name) + "' is not the type of a property");
+  return found->second;
+}
+
+NumberEncoding encodingNamed(std::string_view name, const Place& place) {
+  if (name == "ascii") return NumberEncoding::Text;
+  if (name == "binary_little_endian") return NumberEncoding::LittleEndian;
+  if (name == "binary_big_endian") return NumberEncoding::BigEndian;
+  fail(place, "'" + raster::excerpt(name) + "' is no format of a PLY file",
+       "it is ascii, binary_little_endian or binary_big_endian");
+}
+
+std::uint32_t countOf(std::string_view word, const Place& place) {
+  std::uint32_t count = 0;
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), count);
+  if (error != std::errc() || end != word.data() + word.size())
+    fail(place, "'" + raster::excerpt(word) + "' is no number of elements");
+  return count;
+}
+
+Header parseHeader(std::string_view bytes, const std::filesystem::path& file) {
+  Header header{.body = bytes};
+  for (;;) {
+    const Place place{file, ++header.bodyLine};
+    const std::size_t end = header.body.find('\n');
+    if (end == std::string_view::npos) fail(place, "the header of the PLY file has no end", "give the whole file");
+    std::string_view rest = header.body.substr(0, end);
+    header.body.remove_prefix(end + 1);
+    if (rest.ends_with('\r')) rest.remove_suffix(1);
+    const auto word = [&rest, place] {
+      const auto found = nextWord(rest);
+      if (!found) fail(place, "a word is missing in the header");
+      return *found;
+    };
+    const std::string_view keyword = nextWord(rest).value_or("");
+    if (keyword == "end_header") break;
+    if (keyword == "format") header.encoding = encodingNamed(word(), place);
+    if (keyword == "element") {
+      const std::string_view name = word();
+      header.elements.push_back({std::string(name), countOf(word(), place)});
+    }
+    if (keyword == "property") {
+      if (header.elements.empty()) fail(place, "a property stands before the first element");
+      std::string_view type = word();
+      std::optional<NumberType> countType;
+      if (type == "list") {
+        countType = typeNamed(word(), place);
+        type = word();
+      }
+      header.elements.back().properties.push_back({std::string(word()), typeNamed(type, place), countType});
+    }
+  }
+  ++header.bodyLine;
+  return header;
+}
+
+/// The mesh grows as elements are read.
+class Body {
+ public:
+  Body(const Header& header, const std::filesystem::path& file)
+      : source_(header.body, header.encoding, {file, header.encoding == NumberEncoding::Text ? header.bodyLine : 0}) {}
+
+  void read(const Element& element) {
+    if (element.properties.empty()) return;
+    for (std::uint32_t e = 0; e < element.count; ++e) {
+      if (element.name == "vertex") {
+        readVertex(element);
+      } else if (element.name == "face") {
+        readFace(element);
+      } else {
+        for (const Property& property : element.properties) skip(property);
+      }
+    }
+  }
+
+  PolygonMesh mesh{.sections = {{0, ""}}, .objects = {{"default"}}};
+
+ private:
+  void readVertex(const Element& element) {
+    glm::dvec3 position(0.0);
+    for (const Property& property : element.properties) {
+      const int axis = property.name == "x" ? 0 : property.name == "y" ? 1 : property.name == "z" ? 2 : -1;
+      if (axis < 0 || property.countType)
+        skip(property);
+      else
+        position[axis] = source_.next(property.type);
+    }
+    addPosition(mesh, position, source_.place());
+  }
+
+  void readFace(const Element& element) {
+    std::vector<std::uint32_t> corners;
+    for (const Property& property : element.properties) {
+      if (!property.countType || (property.name != "vertex_indices" && property.name != "vertex_index")) {
+        skip(property);
+        continue;
+      }
+      const std::uint32_t count = source_.nextIndex(*property.countType, 0xffffffff);
+      source_.require(property.type, count);
+      for (std::uint32_t c = 0; c < count; ++c) corners.push_back(source_.nextIndex(property.type, 0xffffffff));
+    }
+    addPolygon(mesh, corners, source_.place());
+  }
+
+  void skip(const Property& property) {
+    source_.skip(property.type, property.countType ? source_.nextIndex(*property.countType, 0xffffffff) : 1);
+  }
+
+  NumberSource source_;
+};
+
+}  // namespace
+
+PolygonMesh parsePly(std::string_view bytes, const std::filesystem::path& file) {
+  if (!bytes.starts_with("ply")) fail({file, 1}, "does not begin with `ply`", "give a PLY file");
+  const Header header = parseHeader(bytes, file);
+  Body body(header, file);
+  for (const Element& element : header.elements) body.read(element);
+  if (body.mesh.polygons.empty()) fail({file}, "has no face: it may be a cloud of points", "give a mesh with faces");
+  return std::move(body.mesh);
+}
+
+}  // namespace hemitex::radiosity

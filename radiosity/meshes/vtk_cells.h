@@ -1,0 +1,23 @@
+/// The cells of VTK's files that are faces.
+/// Source: VTK File Formats, and the list of cell types of VTK 9.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "radiosity/meshes/polygon_mesh.h"
+
+namespace hemitex::radiosity {
+
+/// The type of a polygon, which those in poly data have.
+inline constexpr std::uint32_t vtkPolygon = 7;
+
+/// Appends a cell of a type with its points. Vertices and lines are not faces: they are left out and counted. Throws
+/// InputError at `place` for volumes, strips of triangles, curved cells, and cells with a wrong number of points.
+void addVtkCell(PolygonMesh& mesh, std::uint32_t type, std::span<const std::uint32_t> points, const Place& place,
+                std::uint32_t& leftOut);
+
+/// Warns of cells that were left out. Throws InputError if the mesh has no face.
+void finishVtkMesh(PolygonMesh& mesh, std::uint32_t leftOut, const std::filesystem::path& file);
+
+}  // namespace hemitex::radiosity

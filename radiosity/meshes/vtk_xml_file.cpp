@@ -1,0 +1,107 @@
+#include "radiosity/meshes/vtk_xml_file.h"
+
+#include <algorithm>
+#include <cstring>
+#include <limits>
+
+#include "radiosity/meshes/vtk_arrays.h"
+#include "radiosity/meshes/vtk_cells.h"
+#include "raster/base/input_error.h"
+
+namespace hemitex::radiosity {
+namespace {
+
+/// A file divided into XML and appended bytes, which need not be XML.
+struct Divided {
+  std::string xml;
+  std::string_view appended = {};
+};
+
+Divided divide(std::string_view bytes) {
+  const std::size_t tag = bytes.find("<AppendedData");
+  const std::size_t end = tag == bytes.npos ? bytes.npos : bytes.find('>', tag);
+  if (end == bytes.npos) return {std::string(bytes)};
+  const std::size_t data = bytes.find('_', end);
+  return {std::string(bytes.substr(0, end + 1)) + "</AppendedData></VTKFile>",
+          data == bytes.npos ? std::string_view() : bytes.substr(data + 1)};
+}
+
+pugi::xml_node arrayNamed(const pugi::xml_node& parent, const char* name) {
+  return parent.find_child_by_attribute("DataArray", "Name", name);
+}
+
+/// The cells of a piece; `first` is the number of its first point in the mesh.
+class PieceReader {
+ public:
+  PieceReader(const VtkArrays& arrays, const std::filesystem::path& file, PolygonMesh& mesh, std::uint32_t& leftOut)
+      : arrays_(arrays), file_(file), mesh_(mesh), leftOut_(leftOut) {}
+
+  void read(const pugi::xml_node& piece, bool isPolyData) {
+    first_ = static_cast<std::uint32_t>(mesh_.positions.size());
+    points_ = count(piece, "NumberOfPoints");
+    const std::vector<double> points =
+        points_ == 0 ? std::vector<double>()
+                     : arrays_.numbers(piece.child("Points").child("DataArray"), std::uint64_t{points_} * 3);
+    for (std::size_t p = 0; p < points.size(); p += 3)
+      addPosition(mesh_, {points[p], points[p + 1], points[p + 2]}, {file_});
+    if (!isPolyData) {
+      const std::uint32_t cells = count(piece, "NumberOfCells");
+      readCells(piece.child("Cells"), cells,
+                cells == 0 ? std::vector<std::uint32_t>()
+                           : arrays_.indices(arrayNamed(piece.child("Cells"), "types"), cells, 255));
+      return;
+    }
+    if (count(piece, "NumberOfStrips") > 0)
+      fail({file_}, "strips of triangles are not read", "divide them, in ParaView with Triangulate");
+    leftOut_ += count(piece, "NumberOfVerts") + count(piece, "NumberOfLines");
+    readCells(piece.child("Polys"), count(piece, "NumberOfPolys"), {});
+  }
+
+ private:
+  static std::uint32_t count(const pugi::xml_node& piece, const char* name) { return piece.attribute(name).as_uint(); }
+
+  /// Without types, all cells are polygons.
+  void readCells(const pugi::xml_node& cells, std::uint32_t number, const std::vector<std::uint32_t>& types) {
+    if (number == 0) return;
+    const std::vector<std::uint32_t> ends =
+        arrays_.indices(arrayNamed(cells, "offsets"), number, std::numeric_limits<std::uint32_t>::max());
+    if (!std::is_sorted(ends.begin(), ends.end())) fail({file_}, "the offsets of cells do not ascend");
+    std::vector<std::uint32_t> points;
+    if (ends.back() > 0)
+      points = arrays_.indices(arrayNamed(cells, "connectivity"), ends.back(), points_ == 0 ? 0 : points_ - 1);
+    for (std::uint32_t& point : points) point += first_;
+    for (std::uint32_t c = 0, start = 0; c < number; start = ends[c++])
+      addVtkCell(mesh_, types.empty() ? vtkPolygon : types[c], std::span(points).subspan(start, ends[c] - start),
+                 {file_}, leftOut_);
+  }
+
+  const VtkArrays& arrays_;
+  const std::filesystem::path& file_;
+  PolygonMesh& mesh_;
+  std::uint32_t& leftOut_;
+  std::uint32_t first_ = 0, points_ = 0;
+};
+
+}  // namespace
+
+PolygonMesh parseVtkXml(std::string_view bytes, const std::filesystem::path& file) {
+  const Divided divided = divide(bytes);
+  pugi::xml_document document;
+  const pugi::xml_parse_result parsed = document.load_buffer(divided.xml.data(), divided.xml.size());
+  if (!parsed) fail({file}, std::string("is no XML: ") + parsed.description(), "give the whole file");
+  const pugi::xml_node root = document.child("VTKFile");
+  if (!root) fail({file}, "has no element VTKFile", "give a VTU or VTP file");
+  const pugi::xml_node grid = root.child("UnstructuredGrid"), poly = root.child("PolyData");
+  if (!grid && !poly)
+    fail({file}, "has data of the type `" + raster::excerpt(root.attribute("type").value()) + "`, not a mesh of faces",
+         "save it as an unstructured grid or poly data");
+  const VtkArrays arrays(root, divided.appended, file);
+  PolygonMesh mesh{.sections = {{0, ""}}, .objects = {{"default"}}};
+  std::uint32_t leftOut = 0;
+  for (const pugi::xml_node& piece : (grid ? grid : poly).children("Piece"))
+    PieceReader(arrays, file, mesh, leftOut).read(piece, !grid);
+  finishVtkMesh(mesh, leftOut, file);
+  return mesh;
+}
+
+}  // namespace hemitex::radiosity
