@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
+#include <limits>
 #include <memory>
 #include <optional>
+#include <set>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -18,7 +20,10 @@
 #include "cli/scene/scene_options.h"
 #include "cli/scene/surface_names.h"
 #include "radiosity/ranks/shared_tasks.h"
+#include "radiosity/scene/load_scene.h"
+#include "raster/base/file_io.h"
 #include "reference/base/hashes/sha256.h"
+#include "reference/truth/matrices/matrix_files.h"
 #include "reference/truth/solution/form_factor_matrix.h"
 
 namespace hemitex::cli {
@@ -35,8 +40,12 @@ struct FormFactorOptions {
   bool bySurface = false;
   bool all = false;
   bool smooth = false;
+  bool facets = false;
   std::filesystem::path output;  ///< empty: standard output
 };
+
+/// Whether the result is a file with a sparse matrix.
+bool isSparse(const FormFactorOptions& options) { return options.all && !options.output.empty() && !options.bySurface; }
 
 const std::string blockersIgnored = "blockers are not looked at";
 
@@ -62,17 +71,17 @@ nlohmann::ordered_json settingsOf(const FormFactorOptions& options) {
 
 /// A table with one line per row and receiver: cells that name them, the form factor, and its standard error if there
 /// is one.
-Table tableOf(const std::vector<Row>& rows, std::vector<std::string> columns,
+Table tableOf(const std::vector<Row>& rows, std::size_t receivers, std::vector<std::string> columns,
               const std::function<std::vector<Cell>(std::size_t)>& names) {
-  const std::size_t receivers = rows.front().formFactor.size();
   const bool hasErrors = !rows.front().standardError.empty();
   columns.emplace_back("form_factor");
   if (hasErrors) columns.emplace_back("standard_error");
   const auto cells = [&rows, names, receivers, hasErrors](std::size_t index) {
     const Row& row = rows[index / receivers];
+    const std::optional<std::size_t> entry = entryOf(row, index % receivers);
     std::vector<Cell> line = names(index);
-    line.emplace_back(row.formFactor[index % receivers]);
-    if (hasErrors) line.emplace_back(row.standardError[index % receivers]);
+    line.emplace_back(entry ? row.formFactor[*entry] : 0.0);
+    if (hasErrors) line.emplace_back(entry ? row.standardError[*entry] : 0.0);
     return line;
   };
   return {columns, rows.size() * receivers, cells};
@@ -81,12 +90,13 @@ Table tableOf(const std::vector<Row>& rows, std::vector<std::string> columns,
 /// The table of the only row.
 Table tableOf(const std::vector<Row>& rows, const radiosity::Scene& scene,
               const radiosity::Discretization& discretization) {
-  return tableOf(rows, {"surface", "column", "row", "area"}, [&](std::size_t index) -> std::vector<Cell> {
-    const radiosity::Element& element = discretization.elements[index];
-    const auto columns = static_cast<std::uint32_t>(discretization.grids[element.surface].columns);
-    return {scene.surfaces[element.surface].name, std::int64_t{element.texel % columns},
-            std::int64_t{element.texel / columns}, element.area};
-  });
+  return tableOf(rows, discretization.elements.size(), {"surface", "column", "row", "area"},
+                 [&](std::size_t index) -> std::vector<Cell> {
+                   const radiosity::Element& element = discretization.elements[index];
+                   const auto columns = static_cast<std::uint32_t>(discretization.grids[element.surface].columns);
+                   return {scene.surfaces[element.surface].name, std::int64_t{element.texel % columns},
+                           std::int64_t{element.texel / columns}, element.area};
+                 });
 }
 
 void tellCaptured(const Row& row, Console& console) {
@@ -112,8 +122,8 @@ void printRow(const FormFactorOptions& options, Context& context, const radiosit
   const auto names = [&](std::size_t family) -> std::vector<Cell> {
     return {families.names[family], receivers.area[family]};
   };
-  const Table table =
-      options.bySurface ? tableOf(rows, {"surface", "area"}, names) : tableOf(rows, scene, discretization);
+  const Table table = options.bySurface ? tableOf(rows, families.names.size(), {"surface", "area"}, names)
+                                        : tableOf(rows, scene, discretization);
   if (!context.json) return writeCsv(std::cout, table);
   nlohmann::ordered_json result{{"from", options.from}};
   result.update(settingsOf(options));
@@ -124,9 +134,10 @@ void printRow(const FormFactorOptions& options, Context& context, const radiosit
 }
 
 reference::FormFactorMatrix factorsOf(const std::vector<Row>& matrix) {
-  reference::FormFactorMatrix factors{matrix.size(), {}};
-  for (const Row& row : matrix)
-    factors.factors.insert(factors.factors.end(), row.formFactor.begin(), row.formFactor.end());
+  reference::FormFactorMatrix factors{matrix.size(), std::vector<double>(matrix.size() * matrix.size(), 0.0)};
+  for (std::size_t i = 0; i < matrix.size(); ++i)
+    for (std::size_t k = 0; k < matrix[i].receiver.size(); ++k)
+      factors.factors[i * matrix.size() + matrix[i].receiver[k]] = matrix[i].formFactor[k];
   return factors;
 }
 
@@ -135,8 +146,8 @@ reference::MatrixDifference smooth(std::vector<Row>& matrix, const Receivers& re
   const reference::FormFactorMatrix raw = factorsOf(matrix);
   const reference::FormFactorMatrix result = reference::smoothed(raw, receivers.area);
   for (std::size_t i = 0; i < matrix.size(); ++i)
-    std::copy_n(result.factors.begin() + static_cast<std::ptrdiff_t>(i * matrix.size()), matrix.size(),
-                matrix[i].formFactor.begin());
+    for (std::size_t k = 0; k < matrix[i].receiver.size(); ++k)
+      matrix[i].formFactor[k] = result.factors[i * matrix.size() + matrix[i].receiver[k]];
   return reference::difference(raw, result);
 }
 
@@ -167,33 +178,105 @@ std::string computationOf(const FormFactorOptions& options, const radiosity::Sce
 }
 
 /// The file that rows are kept in; null without --output, and on all ranks but the one that writes.
-std::unique_ptr<RowFile> rowFileOf(const FormFactorOptions& options, Context& context, const radiosity::Scene& scene) {
+std::unique_ptr<RowFile> rowFileOf(const FormFactorOptions& options, Context& context, const radiosity::Scene& scene,
+                                   const std::set<std::string>& companions = {}) {
   if (options.output.empty() || !context.isWriter()) return nullptr;
-  auto file = std::make_unique<RowFile>(options.output, scene.files, computationOf(options, scene));
+  auto file = std::make_unique<RowFile>(options.output, scene.files, computationOf(options, scene), companions);
   if (file->wasDamaged()) context.console.warning("the last line of the unfinished result was damaged; it is dropped");
-  if (!file->rows().empty())
-    context.console.message("goes on after " + std::to_string(file->rows().size()) + " rows that an earlier run left");
+  if (file->rows() > 0)
+    context.console.message("goes on after " + std::to_string(file->rows()) + " rows that an earlier run left");
   return file;
 }
 
-/// All rows, on the rank that writes; the ranks of a parallel run share the work.
-std::vector<Row> matrixOf(const RowMethod& rowFrom, const Families& families, RowFile* file, Context& context) {
+/// Gives all rows to `take`, in order, on the rank that writes; the ranks of a parallel run share the work.
+void forEachRow(const RowMethod& rowFrom, const Families& families, RowFile* file, Context& context,
+                const std::function<void(Row row)>& take) {
   const std::size_t count = families.names.size();
-  std::vector<Row> matrix;
-  if (file) std::transform(file->rows().begin(), file->rows().end(), std::back_inserter(matrix), rowOf);
+  if (file) file->replay([&](const std::string& line) { take(rowOf(line)); });
+  const auto compute = [&](std::size_t from) {
+    return lineOf(families.surfaces[from].empty() ? Row() : rowFrom({families.surfaces[from]}));
+  };
+  const auto keep = [&](std::size_t from, const std::string& line) {
+    take(rowOf(line));
+    if (file) file->append(line);
+    context.console.progress(static_cast<double>(from + 1) / static_cast<double>(count), families.names[from]);
+  };
   radiosity::run(context.ranks.get(),
-                 {.first = matrix.size(),
-                  .end = count,
-                  .compute = [&](std::size_t from) { return lineOf(rowFrom({families.surfaces[from]})); },
-                  .take =
-                      [&](std::size_t from, const std::string& line) {
-                        matrix.push_back(rowOf(line));
-                        if (file) file->append(line);
-                        context.console.progress(static_cast<double>(from + 1) / static_cast<double>(count),
-                                                 families.names[from]);
-                      }});
+                 {.first = file ? file->rows() : 0, .end = count, .compute = compute, .take = keep});
   context.console.endProgress();
-  return matrix;
+}
+
+/// What the matrix says of itself: names only where they are more than numbers.
+reference::MatrixHeading headingOf(const Families& families, const Receivers& receivers) {
+  reference::MatrixHeading heading{receivers.area};
+  for (std::size_t f = 0; f < families.names.size(); ++f)
+    if (families.names[f] != std::to_string(f)) {
+      heading.names = families.names;
+      break;
+    }
+  return heading;
+}
+
+/// Turns rows into those of a matrix: with the columns `surroundings` and `backs` behind those of the receivers.
+class MatrixRows {
+ public:
+  MatrixRows(reference::MatrixWriter& writer, std::size_t facets) : writer_(writer), facets_(facets) {}
+
+  void take(Row row) {
+    double sum = 0;
+    for (const double factor : row.formFactor) sum += factor;
+    const bool isEmpty = row.receiver.empty() && !row.background;  // of a face without area
+    for (std::uint32_t extra = 0; extra < 2; ++extra) {
+      const double share = (extra == 0 ? row.background : row.back).value_or(0);
+      row.receiver.push_back(static_cast<std::uint32_t>(facets_) + extra);
+      row.formFactor.push_back(share);
+      sum += share;
+    }
+    entries_ += static_cast<std::size_t>(
+        std::count_if(row.formFactor.begin(), row.formFactor.end(), [](double factor) { return factor != 0; }));
+    if (!isEmpty) {
+      smallestSum_ = std::min(smallestSum_, sum);
+      largestSum_ = std::max(largestSum_, sum);
+    }
+    writer_.write({row.receiver, row.formFactor});
+  }
+  nlohmann::ordered_json toJson() const { return {{"entries", entries_}, {"row_sums", {smallestSum_, largestSum_}}}; }
+
+ private:
+  reference::MatrixWriter& writer_;
+  std::size_t facets_, entries_ = 0;
+  double smallestSum_ = std::numeric_limits<double>::infinity(), largestSum_ = 0;
+};
+
+/// Writes the sparse matrix, and the JSON file beside it.
+void writeMatrix(const FormFactorOptions& options, Context& context, const radiosity::Scene& scene,
+                 const radiosity::Discretization& discretization) {
+  const Families families = options.scene.settings.facets ? facetsOf(scene) : familiesOf(scene);
+  const Receivers receivers = familiesAsReceivers(discretization, families);
+  const std::string description = std::filesystem::path(options.output).replace_extension(".json").filename();
+  const std::unique_ptr<RowFile> file = rowFileOf(options, context, scene, {description});
+  const RowMethod rowFrom = methodOf(options, scene, discretization, receivers, context.console);
+  if (!file) return forEachRow(rowFrom, families, nullptr, context, [](const Row&) {});
+  const reference::MatrixHeading heading = headingOf(families, receivers);
+  reference::MatrixWriter writer(file->staged(), heading);
+  MatrixRows rows(writer, heading.facets());
+  forEachRow(rowFrom, families, file.get(), context, [&](Row row) { rows.take(std::move(row)); });
+  writer.finish();
+  nlohmann::ordered_json result{{"matrix", options.output.filename().string()},
+                                {"sha256", reference::sha256OfFile(file->staged())},
+                                {"facets", heading.facets()},
+                                {"column_surroundings", heading.facets()},
+                                {"column_backs", heading.facets() + 1},
+                                {"surroundings", "share that meets nothing"},
+                                {"backs", "share that meets backs of facets"}};
+  result.update(rows.toJson());
+  result["settings"] = settingsOf(options);
+  result["settings"].update(toJson(options.discretization));
+  result["area"] = heading.area;
+  if (!heading.names.empty()) result["names"] = heading.names;
+  raster::writeFile(file->staged().replace_filename(description), toText(result));
+  file->finish(description);
+  if (context.json) std::cout << toText(result);
 }
 
 void printMatrix(const FormFactorOptions& options, Context& context, const radiosity::Scene& scene,
@@ -202,7 +285,8 @@ void printMatrix(const FormFactorOptions& options, Context& context, const radio
   const Receivers receivers = familiesAsReceivers(discretization, families);
   const std::unique_ptr<RowFile> file = rowFileOf(options, context, scene);
   const RowMethod rowFrom = methodOf(options, scene, discretization, receivers, context.console);
-  std::vector<Row> matrix = matrixOf(rowFrom, families, file.get(), context);
+  std::vector<Row> matrix;
+  forEachRow(rowFrom, families, file.get(), context, [&](Row row) { matrix.push_back(std::move(row)); });
   if (!context.isWriter()) return;
   nlohmann::ordered_json result = settingsOf(options);
   if (options.smooth) {
@@ -217,7 +301,7 @@ void printMatrix(const FormFactorOptions& options, Context& context, const radio
   const auto names = [&](std::size_t index) -> std::vector<Cell> {
     return {families.names[index / matrix.size()], families.names[index % matrix.size()]};
   };
-  const Table table = tableOf(matrix, {"from", "to"}, names);
+  const Table table = tableOf(matrix, matrix.size(), {"from", "to"}, names);
   std::ostringstream text;
   std::ostream& output = file ? text : std::cout;
   if (context.json) {
@@ -231,13 +315,35 @@ void printMatrix(const FormFactorOptions& options, Context& context, const radio
   } else {
     writeCsv(output, table);
   }
-  if (file) file->finish(text.str());
+  if (!file) return;
+  raster::writeFile(file->staged(), text.str());
+  file->finish();
 }
 
 void print(const FormFactorOptions& options, Context& context) {
   const radiosity::Scene scene = sceneOf(options.scene, context.console);
   const radiosity::Discretization discretization = discretizationOf(options.discretization, scene);
-  (options.all ? printMatrix : printRow)(options, context, scene, discretization);
+  (isSparse(options) ? writeMatrix : options.all ? printMatrix : printRow)(options, context, scene, discretization);
+}
+
+/// The file of a sparse matrix, whose rows sum to 1, has a known format.
+void requireMatrixFile(const FormFactorOptions& options) {
+  if (options.output.empty())
+    usageError("--all", "needs --by-surface, or -o with a file that ends in .npz, .mtx or .csv");
+  if (!reference::isMatrixFile(options.output))
+    usageError("-o", "`" + options.output.string() + "` does not end in .npz, .mtx or .csv");
+  if (options.method == "analytic" || options.rays.aimed)
+    usageError("--all", "is written with methods whose rows sum to 1; --method analytic and --aimed are none");
+}
+
+/// Facets have one side, and one texel unless another size is given.
+void chooseFacets(FormFactorOptions& options, Command command) {
+  radiosity::SceneSettings& settings = options.scene.settings;
+  settings.facets = options.facets || (radiosity::isPlainMesh(options.scene.file) && !options.bySurface);
+  if (!settings.facets) return;
+  if (settings.sides == radiosity::Sides::Two) usageError("--two-sided", "is not used with --facets; omit one of them");
+  settings.sides = radiosity::Sides::One;
+  if (!command.isGiven("--texels") && !command.isGiven("--texel-size")) options.discretization.texels = 1;
 }
 
 }  // namespace
@@ -250,11 +356,18 @@ void addFormFactors(Command program, Context& context) {
                                    "surface, or texel of a surface, that the form factors start from", options->from);
   const Option bySurface =
       rows.addFlag("--by-surface", options->bySurface, "print one sum per surface instead of one value per element");
-  const Option all = rows.addFlag("--all", options->all, "print the matrix from every surface to every surface");
-  all.needs(bySurface).excludes(from);
+  const Option all = rows.addFlag("--all", options->all,
+                                  "the matrix from every surface to every surface: printed with --by-surface, or "
+                                  "written into a file of sparse rows with -o FILE.npz, FILE.mtx or FILE.csv");
+  all.excludes(from);
+  rows.addFlag("--facets", options->facets,
+               "make every face of the file a surface of one element, numbered from 0 (default for meshes without "
+               "materials, such as STL and VTU, unless --by-surface is given)")
+      .excludes(bySurface);
   rows.addFlag("--smooth", options->smooth,
                "correct the matrix to exact reciprocity by least squares, with the same row sums")
-      .needs(all);
+      .needs(all)
+      .needs(bySurface);
   rows.addPath("-o,--output", options->output,
                "write the matrix into this file, and with --json only its checks to stdout; rows are kept in "
                "FILE.part, from which an interrupted run goes on")
@@ -280,14 +393,17 @@ void addFormFactors(Command program, Context& context) {
   addDiscretizationOptions(command, options->discretization);
   addIdOptions(command, options->id);
   addSceneOptions(command, options->scene);
-  command.showFirst({"--from", "--by-surface", "--all", "--smooth", "--method", "--resolution", "--samples", "--texels",
-                     "--patch", "--two-sided"});
-  command.addExamples(
-      {"data/cornell-box.obj --from light --by-surface", "data/cornell-box.obj --all --by-surface --method rays"});
+  command.showFirst({"--from", "--by-surface", "--all", "--facets", "--smooth", "--method", "--resolution", "--samples",
+                     "--texels", "--patch", "--two-sided"});
+  command.addExamples({"data/cornell-box.obj --from light --by-surface",
+                       "data/cornell-box.obj --all --by-surface --method rays",
+                       "data/cornell-box.obj --all --facets -o out/F.npz"});
   command.onRead([options, command, &context] {
     context.isShared = options->all;
     if (options->from.empty() && !options->all)
       usageError("--from", "is required; or print the matrix with --all --by-surface");
+    if (options->all && !options->bySurface) requireMatrixFile(*options);
+    chooseFacets(*options, command);
     const auto projection = projectionNamed(options->method);
     if (projection) options->drawing.projection = *projection;
     if (!projection) refuseUnused(command, drawingOptionNames(), options->method);

@@ -1,7 +1,9 @@
 #include "cli/formfactors/methods.h"
 
+#include <algorithm>
 #include <memory>
 #include <numeric>
+#include <utility>
 
 #include "radiosity/discretization/discretize.h"
 #include "radiosity/discretization/patch_points.h"
@@ -12,27 +14,60 @@
 namespace hemitex::cli {
 namespace {
 
-void addRow(Row& mean, const radiosity::FormFactorRow& row, const Receivers& receivers, double weight) {
-  std::vector<std::uint64_t> share(receivers.area.size(), 0);
-  for (std::size_t i = 0; i < row.elements.size(); ++i) share[receivers.ofElement[row.elements[i]]] += row.shares[i];
-  for (std::size_t r = 0; r < share.size(); ++r) mean.formFactor[r] += weight * radiosity::formFactor(share[r]);
+/// The numbers of the patches of each surface.
+using PatchNumbers = std::vector<std::vector<std::uint32_t>>;
+
+/// Sums of values by receiver, each in the order of its values.
+class ReceiverSums {
+ public:
+  void add(std::uint32_t receiver, double value) { values_.emplace_back(receiver, value); }
+
+  /// Sets the entries of a row.
+  void moveTo(Row& row) {
+    std::stable_sort(values_.begin(), values_.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    for (const auto& [receiver, value] : values_) {
+      if (row.receiver.empty() || row.receiver.back() != receiver) {
+        row.receiver.push_back(receiver);
+        row.formFactor.push_back(0);
+      }
+      row.formFactor.back() += value;
+    }
+    values_.clear();
+  }
+
+ private:
+  std::vector<std::pair<std::uint32_t, double>> values_;
+};
+
+/// Adds a row to a mean. The shares of a receiver are integers, whose sum is exact.
+void addRow(Row& mean, ReceiverSums& sums, const radiosity::FormFactorRow& row, const Receivers& receivers,
+            double weight) {
+  std::vector<std::pair<std::uint32_t, std::uint64_t>> shares;
+  for (std::size_t i = 0; i < row.elements.size(); ++i)
+    shares.emplace_back(receivers.ofElement[row.elements[i]], row.shares[i]);
+  std::sort(shares.begin(), shares.end());
+  for (std::size_t i = 0; i < shares.size();) {
+    const std::uint32_t receiver = shares[i].first;
+    std::uint64_t share = 0;
+    for (; i < shares.size() && shares[i].first == receiver; ++i) share += shares[i].second;
+    sums.add(receiver, weight * radiosity::formFactor(share));
+  }
   *mean.background += weight * radiosity::formFactor(row.background);
   *mean.back += weight * radiosity::formFactor(row.back);
 }
 
 /// The row of an element, from its centre, or of surfaces, averaged over their patches.
 Row meanRow(const radiosity::Scene& scene, const radiosity::Discretization& discretization,
-            radiosity::ProjectedFormFactors& rows, const Source& source, const Receivers& receivers) {
-  Row mean{.formFactor = std::vector<double>(receivers.area.size(), 0.0),
-           .background = 0.0,
-           .back = 0.0,
-           .captured = radiosity::formFactor(rows.projection().captured)};
+            const PatchNumbers& ofSurfaces, radiosity::ProjectedFormFactors& rows, const Source& source,
+            const Receivers& receivers) {
+  Row mean{.background = 0.0, .back = 0.0, .captured = radiosity::formFactor(rows.projection().captured)};
+  ReceiverSums sums;
   if (source.element) {
     const auto centre = radiosity::elementCentre(scene, discretization, *source.element);
-    addRow(mean, rows.from(source.surfaces.front(), centre), receivers, 1.0);
+    addRow(mean, sums, rows.from(source.surfaces.front(), centre), receivers, 1.0);
+    sums.moveTo(mean);
     return mean;
   }
-  const auto ofSurfaces = radiosity::patchesOfSurfaces(discretization.patches, discretization.grids.size());
   std::vector<std::uint32_t> patches;
   for (const std::uint32_t surface : source.surfaces)
     patches.insert(patches.end(), ofSurfaces[surface].begin(), ofSurfaces[surface].end());
@@ -40,8 +75,9 @@ Row meanRow(const radiosity::Scene& scene, const radiosity::Discretization& disc
   for (const std::uint32_t patch : patches) area += discretization.patches.list[patch].area;
   for (const std::uint32_t number : patches) {
     const radiosity::Patch& patch = discretization.patches.list[number];
-    addRow(mean, rows.ofPatch(patch), receivers, patch.area / area);
+    addRow(mean, sums, rows.ofPatch(patch), receivers, patch.area / area);
   }
+  sums.moveTo(mean);
   return mean;
 }
 
@@ -84,6 +120,12 @@ std::vector<std::uint32_t> elementsOf(const radiosity::Discretization& discretiz
 
 }  // namespace
 
+std::optional<std::size_t> entryOf(const Row& row, std::size_t receiver) {
+  const auto place = std::lower_bound(row.receiver.begin(), row.receiver.end(), receiver);
+  if (place == row.receiver.end() || *place != receiver) return std::nullopt;
+  return static_cast<std::size_t>(place - row.receiver.begin());
+}
+
 Receivers elementsAsReceivers(const radiosity::Discretization& discretization) {
   Receivers receivers{std::vector<std::uint32_t>(discretization.elements.size()), {}, {}};
   std::iota(receivers.ofElement.begin(), receivers.ofElement.end(), 0U);
@@ -107,8 +149,10 @@ RowMethod drawnMethod(const radiosity::Scene& scene, const radiosity::Discretiza
   const auto drawn =
       std::make_shared<radiosity::SceneFormFactors>(scene, *split, layoutOf(id, discretization, console), settings);
   split->patches = radiosity::splitAll(std::move(split->patches), drawn->splits());
-  return [&scene, &receivers, split, drawn](const Source& source) {
-    return meanRow(scene, *split, drawn->rows(), source, receivers);
+  const auto patches =
+      std::make_shared<PatchNumbers>(radiosity::patchesOfSurfaces(split->patches, split->grids.size()));
+  return [&scene, &receivers, split, drawn, patches](const Source& source) {
+    return meanRow(scene, *split, *patches, drawn->rows(), source, receivers);
   };
 }
 
@@ -121,7 +165,10 @@ RowMethod rayMethod(const radiosity::Scene& scene, const radiosity::Discretizati
     const reference::MeasuredRow measured =
         (rays->formFactors.*measure)(shooter, rays->receivers, {.samples = options.samples, .seed = options.seed});
     Row row{.background = measured.background.value, .back = measured.back.value};
-    for (const reference::Measurement& receiver : measured.receivers) {
+    for (std::size_t r = 0; r < measured.receivers.size(); ++r) {
+      const reference::Measurement& receiver = measured.receivers[r];
+      if (receiver.value == 0 && receiver.standardError == 0) continue;
+      row.receiver.push_back(static_cast<std::uint32_t>(r));
       row.formFactor.push_back(receiver.value);
       row.standardError.push_back(receiver.standardError);
     }
@@ -139,8 +186,11 @@ RowMethod analyticMethod(const radiosity::Scene& scene, const radiosity::Discret
                                elementsOf(source.element ? discretization : polygons->whole, source),
                                areElements ? polygons->ofTexels : polygons->ofWhole);
     const std::vector<std::uint32_t>& receiverOf = areElements ? receivers.ofElement : receivers.ofSurface;
-    Row row{.formFactor = std::vector<double>(receivers.area.size(), 0.0)};
-    for (std::size_t i = 0; i < values.size(); ++i) row.formFactor[receiverOf[i]] += values[i];
+    ReceiverSums sums;
+    for (std::size_t i = 0; i < values.size(); ++i)
+      if (values[i] != 0) sums.add(receiverOf[i], values[i]);
+    Row row;
+    sums.moveTo(row);
     return row;
   };
 }

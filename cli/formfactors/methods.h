@@ -24,15 +24,19 @@ struct Receivers {
 Receivers elementsAsReceivers(const radiosity::Discretization& discretization);
 Receivers familiesAsReceivers(const radiosity::Discretization& discretization, const Families& families);
 
-/// A row of form factors, one per receiver.
+/// A row of form factors. Receivers that are not seen have no entry.
 struct Row {
-  std::vector<double> formFactor = {};
-  std::vector<double> standardError = {};  ///< one per receiver; empty if the method has none
-  std::optional<double> background = {};   ///< share that leaves the scene; none if the method ignores blockers
-  std::optional<double> back = {};         ///< share that meets backs of faces; none if the method ignores blockers
-  std::optional<double> captured = {};     ///< share that the projection captures; the rest is in `background`; none if
-                                           ///< the method does not draw
+  std::vector<std::uint32_t> receiver = {};  ///< ascending
+  std::vector<double> formFactor = {};       ///< one per entry of `receiver`
+  std::vector<double> standardError = {};    ///< one per entry of `receiver`; empty if the method has none
+  std::optional<double> background = {};     ///< share that leaves the scene; none if the method ignores blockers
+  std::optional<double> back = {};           ///< share that meets backs of faces; none if the method ignores blockers
+  std::optional<double> captured = {};  ///< share that the projection captures; the rest is in `background`; none if
+                                        ///< the method does not draw
 };
+
+/// The place of a receiver in `row.receiver`; nothing if it has no entry.
+std::optional<std::size_t> entryOf(const Row& row, std::size_t receiver);
 
 /// Computes the row of a source. Keeps references to the arguments of the function that made it.
 using RowMethod = std::function<Row(const Source&)>;

@@ -6,7 +6,6 @@
 
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <string_view>
 
 #include "cli/common/json.h"
 #include "raster/base/file_io.h"
@@ -20,13 +19,12 @@ using nlohmann::json;
 
 const std::string advice = "delete it, or choose another file";
 
-/// A line of the file, without its hash; nothing if it is incomplete or damaged.
-std::optional<std::string> intactLine(std::string_view text) {
-  const std::size_t end = text.find('\n');
-  if (end == std::string_view::npos || end < reference::sha256Digits + 1) return std::nullopt;
-  const std::string_view line = text.substr(0, end - reference::sha256Digits - 1);
-  if (text.substr(line.size(), reference::sha256Digits + 1) != " " + reference::sha256(line)) return std::nullopt;
-  return std::string(line);
+/// A line of the file, without its hash; nothing if it is damaged.
+std::optional<std::string> intactLine(const std::string& text) {
+  if (text.size() < reference::sha256Digits + 1) return std::nullopt;
+  std::string line = text.substr(0, text.size() - reference::sha256Digits - 1);
+  if (text.substr(line.size()) != " " + reference::sha256(line)) return std::nullopt;
+  return line;
 }
 
 std::string withHash(const std::string& line) { return line + ' ' + reference::sha256(line) + '\n'; }
@@ -38,23 +36,31 @@ std::optional<double> numberIn(const json& value) {
 }  // namespace
 
 std::string lineOf(const Row& row) {
-  return json{row.formFactor, row.standardError, orNull(row.background), orNull(row.back), orNull(row.captured)}.dump();
+  return json{row.receiver,           row.formFactor,   row.standardError,
+              orNull(row.background), orNull(row.back), orNull(row.captured)}
+      .dump();
 }
 
 Row rowOf(const std::string& line) {
   const json row = json::parse(line);
-  return {row[0].get<std::vector<double>>(), row[1].get<std::vector<double>>(), numberIn(row[2]), numberIn(row[3]),
-          numberIn(row[4])};
+  return {row[0].get<std::vector<std::uint32_t>>(),
+          row[1].get<std::vector<double>>(),
+          row[2].get<std::vector<double>>(),
+          numberIn(row[3]),
+          numberIn(row[4]),
+          numberIn(row[5])};
 }
 
 RowFile::RowFile(const std::filesystem::path& output, const std::vector<std::filesystem::path>& inputs,
-                 const std::string& computation)
+                 const std::string& computation, const std::set<std::string>& companions)
     : staging_(std::filesystem::absolute(output).parent_path(), FolderUse::SeveralRuns),
       name_(output.filename()),
       part_(output.string() + ".part") {
-  staging_.requirePlaces({name_, part_.filename()}, {inputs.begin(), inputs.end()});
+  std::set<std::string> names = companions;
+  names.insert({name_, part_.filename()});
+  staging_.requirePlaces(names, {inputs.begin(), inputs.end()});
   lock();
-  read(computation);
+  findIntactRows(computation);
   stream_.open(part_, std::ios::binary | std::ios::app);
 }
 
@@ -71,25 +77,35 @@ void RowFile::lock() {
                              "wait for it, or choose another file");
 }
 
-/// Reads the rows of an earlier run. Drops the tail of a file that is not intact.
-void RowFile::read(const std::string& computation) {
-  const std::string text = raster::readFile(part_, advice);
-  const std::optional<std::string> found = intactLine(text);
+/// Counts the rows of an earlier run. Drops the tail of a file that is not intact.
+void RowFile::findIntactRows(const std::string& computation) {
+  std::ifstream stream(part_, std::ios::binary);
+  if (!stream) throw raster::InputError(part_.string(), 0, "cannot be read", advice);
+  std::string text;
+  // The last line is incomplete if it has no end.
+  const auto next = [&] { return std::getline(stream, text) && !stream.eof() ? intactLine(text) : std::nullopt; };
+  const std::optional<std::string> found = next();
   // A run that ended while it wrote the first line leaves a part of it.
-  if (found ? *found != computation : !withHash(computation).starts_with(text))
+  if (found ? *found != computation : !stream.eof() || !withHash(computation).starts_with(text))
     throw raster::InputError(part_.string(), 1, "the rows belong to another scene or other settings", advice);
-  std::size_t intact = 0;
-  if (found) {
-    intact = withHash(computation).size();
-    while (const auto line = intactLine(std::string_view(text).substr(intact))) {
-      intact += withHash(*line).size();
-      rows_.push_back(*line);
-    }
-    std::filesystem::resize_file(part_, intact);
-  } else {
-    raster::writeFile(part_, withHash(computation));
+  std::uintmax_t intact = found ? withHash(computation).size() : 0;
+  while (found && next()) {
+    ++rows_;
+    intact += text.size() + 1;
   }
-  wasDamaged_ = intact < text.size();
+  stream.close();
+  wasDamaged_ = intact < std::filesystem::file_size(part_);
+  if (found)
+    std::filesystem::resize_file(part_, intact);
+  else
+    raster::writeFile(part_, withHash(computation));
+}
+
+void RowFile::replay(const std::function<void(const std::string& line)>& take) {
+  std::ifstream stream(part_, std::ios::binary);
+  std::string text;
+  std::getline(stream, text);  // the computation
+  for (std::size_t row = 0; row < rows_ && std::getline(stream, text); ++row) take(*intactLine(text));
 }
 
 void RowFile::append(const std::string& line) {
@@ -97,9 +113,8 @@ void RowFile::append(const std::string& line) {
     throw raster::InputError(part_.string(), 0, "cannot be written", "check the disk; the complete rows are kept");
 }
 
-void RowFile::finish(const std::string& result) {
-  raster::writeFile(staging_.folder() / name_, result);
-  staging_.commit();
+void RowFile::finish(const std::string& last) {
+  staging_.commit(last);
   stream_.close();
   std::filesystem::remove(part_);
 }

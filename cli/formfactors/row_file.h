@@ -4,6 +4,8 @@
 
 #include <filesystem>
 #include <fstream>
+#include <functional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -22,32 +24,38 @@ Row rowOf(const std::string& line);
 class RowFile {
  public:
   /// Continues the file, or starts it if there is none. `computation` identifies scene and settings in one line.
-  /// `inputs` are the files that the run reads. Throws InputError if a file cannot be written, if the result would
-  /// replace an input, if another run writes the same result, or if the rows belong to another computation.
+  /// `inputs` are the files that the run reads, and `companions` the names of files that it writes beside the result.
+  /// Throws InputError if a file cannot be written, if the result would replace an input, if another run writes the
+  /// same result, or if the rows belong to another computation.
   RowFile(const std::filesystem::path& output, const std::vector<std::filesystem::path>& inputs,
-          const std::string& computation);
+          const std::string& computation, const std::set<std::string>& companions = {});
   ~RowFile();
   RowFile(const RowFile&) = delete;
   RowFile& operator=(const RowFile&) = delete;
 
-  /// The rows that the file held when it was opened.
-  const std::vector<std::string>& rows() const { return rows_; }
+  /// Calls `take` with each row that the file held when it was opened. Call it before `append`.
+  void replay(const std::function<void(const std::string& line)>& take);
+  /// The number of these rows.
+  std::size_t rows() const { return rows_; }
   /// Whether the end of the file was damaged, so that it was dropped.
   bool wasDamaged() const { return wasDamaged_; }
   /// Appends a row. Throws InputError if it cannot be written.
   void append(const std::string& line);
-  /// Writes the result under its final name, and removes the file of rows.
-  void finish(const std::string& result);
+  /// Where the result is written before it has its final name, and files beside it.
+  std::filesystem::path staged() const { return staging_.folder() / name_; }
+  /// Gives the result, and the files beside it, their final names, and removes the file of rows. The file `last`, if
+  /// there is one, says that the others are complete.
+  void finish(const std::string& last = {});
 
  private:
   void lock();
-  void read(const std::string& computation);
+  void findIntactRows(const std::string& computation);
 
   Staging staging_;
   std::string name_;  ///< of the result
   std::filesystem::path part_;
   int lock_ = -1;
-  std::vector<std::string> rows_;
+  std::size_t rows_ = 0;
   bool wasDamaged_ = false;
   std::ofstream stream_;
 };

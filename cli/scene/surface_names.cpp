@@ -86,4 +86,16 @@ Families familiesOf(const radiosity::Scene& scene) {
   return families;
 }
 
+Families facetsOf(const radiosity::Scene& scene) {
+  Families facets{{}, std::vector<std::vector<std::uint32_t>>(scene.faces), {}};
+  for (std::size_t f = 0; f < scene.faces; ++f) facets.names.push_back(std::to_string(f));
+  for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s) {
+    const std::uint32_t facet = scene.surfaces[s].triangles.front().polygon;
+    facets.names[facet] = scene.surfaces[s].family;
+    facets.surfaces[facet].push_back(s);
+    facets.ofSurface.push_back(facet);
+  }
+  return facets;
+}
+
 }  // namespace hemitex::cli

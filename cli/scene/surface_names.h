@@ -32,5 +32,8 @@ struct Families {
   std::vector<std::uint32_t> ofSurface;              ///< the family of each surface
 };
 Families familiesOf(const radiosity::Scene& scene);
+/// The families of a scene whose surfaces are facets: one per face of the file, in its order. Faces that were dropped
+/// have no surface; their names are their numbers.
+Families facetsOf(const radiosity::Scene& scene);
 
 }  // namespace hemitex::cli
