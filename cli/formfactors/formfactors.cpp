@@ -394,10 +394,9 @@ void addFormFactors(Command program, Context& context) {
   addIdOptions(command, options->id);
   addSceneOptions(command, options->scene);
   command.showFirst({"--from", "--by-surface", "--all", "--facets", "--smooth", "--method", "--resolution", "--samples",
-                     "--texels", "--patch", "--two-sided"});
-  command.addExamples({"data/cornell-box.obj --from light --by-surface",
-                       "data/cornell-box.obj --all --by-surface --method rays",
-                       "data/cornell-box.obj --all --facets -o out/F.npz"});
+                     "--texels", "--patch"});
+  command.addExamples(
+      {"data/cornell-box.obj --from light --by-surface", "data/cornell-box.obj --all --facets -o F.npz"});
   command.onRead([options, command, &context] {
     context.isShared = options->all;
     if (options->from.empty() && !options->all)

@@ -6,6 +6,8 @@
 #include <string>
 #include <utility>
 
+#include "reference/base/hashes/sha256.h"
+#include "reference/truth/matrices/matrix_files.h"
 #include "tests/support/shell.h"
 
 using namespace hemitex::tests;
@@ -262,4 +264,88 @@ TEST_CASE("hemitex formfactors --json -o prints the checks of the matrix that it
   const json written = json::parse(readAll(shell.file("m.json")));
   CHECK(written["matrix"].size() == 36);
   for (const char* key : {"row_sums", "reciprocity"}) CHECK(told[key] == written[key]);
+}
+
+TEST_CASE("hemitex formfactors --all -o F.npz, .mtx and .csv writes the same sparse matrix, and what it means",
+          "[cli]") {
+  namespace reference = hemitex::reference;
+  const Shell shell;
+  // Of the six faces of the room, the lamp is a part of the ceiling.
+  shell.output("formfactors room.obj --all --facets --texels 3 --resolution 64 -o F.npz");
+  const reference::MatrixFile read = reference::readMatrix(shell.file("F.npz"));
+  const std::size_t facets = read.matrix.rows();
+  CHECK(read.matrix.columns == facets + 2);
+  CHECK(read.matrix.value.size() < facets * (facets + 2));
+  for (std::size_t r = 0; r < facets; ++r) {
+    double sum = 0;
+    for (const double factor : read.matrix.row(r).value) sum += factor;
+    CHECK(sum == Approx(1).epsilon(1e-12));
+  }
+  const json about = json::parse(readAll(shell.file("F.json")));
+  CHECK(about["facets"] == facets);
+  CHECK(about["column_surroundings"] == facets);
+  CHECK(about["column_backs"] == facets + 1);
+  CHECK(about["sha256"] == reference::sha256OfFile(shell.file("F.npz")));
+  CHECK(about["area"].get<std::vector<double>>() == read.area);
+  CHECK(about["entries"] == read.matrix.value.size());
+  for (const char* name : {"G.mtx", "G.csv"}) {
+    shell.output("formfactors room.obj --all --facets --texels 3 --resolution 64 -o " + std::string(name));
+    reference::SparseMatrix matrix = reference::readMatrix(shell.file(name)).matrix;
+    // Nothing leaves the room, so that no line of the CSV names the last two columns.
+    if (std::string(name) == "G.csv") CHECK(std::exchange(matrix.columns, facets + 2) == facets);
+    CHECK(matrix == read.matrix);
+  }
+  CHECK(shell.files().size() == Shell().files().size() + 5);
+}
+
+TEST_CASE("hemitex formfactors --facets gives the row of each face of a mesh, and --by-surface the sums", "[cli]") {
+  // Two unit squares face each other at distance 1: 0.1998 from one to the other (Howell C-11). Two triangles are one
+  // square; a face without area keeps its number.
+  const Shell shell;
+  writeAll(shell.file("m.ply"),
+           "ply\nformat ascii 1.0\nelement vertex 8\nproperty float x\nproperty float y\nproperty float z\n"
+           "element face 4\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n"
+           "1 0 1\n1 1 1\n0 1 1\n4 0 1 2 3\n3 0 1 1\n3 4 7 6\n3 4 6 5\n");
+  shell.output("formfactors m.ply --all --texels 8 --patch 1 -o F.npz");
+  const hemitex::reference::MatrixFile read = hemitex::reference::readMatrix(shell.file("F.npz"));
+  REQUIRE(read.matrix.rows() == 4);
+  CHECK(read.area == std::vector<double>{1, 0, 0.5, 0.5});
+  CHECK(read.matrix.row(1).value.empty());
+  const auto row = read.matrix.row(0);
+  REQUIRE(std::vector(row.column.begin(), row.column.end()) == std::vector<std::uint32_t>{2, 3, 4});
+  CHECK(row.value[0] + row.value[1] == Approx(0.199824896).margin(1e-3));
+  CHECK(row.value[0] == Approx(row.value[1]).margin(1e-3));
+  const auto lines = linesOf(shell.output("formfactors m.ply --all --by-surface"));
+  CHECK(lines.size() == 2);
+}
+
+TEST_CASE("hemitex formfactors goes on with the rows of a sparse matrix that a killed run left", "[cli]") {
+  const Shell shell;
+  const std::string matrix = "formfactors room.obj --all --facets --texels 32 --resolution 512 --threads 1 -o F.npz";
+  shell.execute("'" HEMITEX_PROGRAM "' " + matrix +
+                " & run=$!\nwhile kill -0 $run && ! [ \"$(wc -l <F.npz.part)\" -ge 3 ]\ndo sleep 0.01\ndone " +
+                "2>/dev/null\nkill -KILL $run");
+  CHECK_FALSE(shell.files().contains("F.npz"));
+  const Outcome last = shell.run(matrix);
+  CHECK(last.exitCode == 0);
+  CHECK_THAT(last.err, Contains("goes on after"));
+  const auto files = shell.files();
+  shell.output(matrix);
+  CHECK(shell.files() == files);
+  CHECK(files.size() == Shell().files().size() + 2);
+}
+
+TEST_CASE("hemitex formfactors refuses what no sparse matrix can be made of", "[cli]") {
+  const Shell shell;
+  for (const auto& [arguments, message] :
+       {std::pair("--all", "needs --by-surface, or -o with a file that ends in .npz, .mtx or .csv"),
+        {"--all -o F.txt", "does not end in .npz, .mtx or .csv"},
+        {"--all -o F.npz --method analytic", "rows sum to 1"},
+        {"--all -o F.npz --method rays --aimed", "rows sum to 1"},
+        {"--all -o F.npz --facets --two-sided", "--two-sided"}}) {
+    INFO(arguments);
+    const Outcome outcome = shell.run("formfactors room.obj " + std::string(arguments));
+    CHECK(outcome.exitCode == 2);
+    CHECK_THAT(outcome.err, Contains(message));
+  }
 }

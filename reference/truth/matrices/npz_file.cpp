@@ -199,10 +199,7 @@ class NpzSink : public RowSink {
         heading_(heading),
         indices_(beside(file, ".indices"), "<i4", sizeof(std::uint32_t)),
         data_(beside(file, ".data"), "<f8", sizeof(double)) {}
-  ~NpzSink() override {
-    std::error_code ignored;
-    for (const SpooledArray* array : {&indices_, &data_}) std::filesystem::remove(array->file(), ignored);
-  }
+  ~NpzSink() override { removeSpools(); }
 
   void write(const SparseRow& row) override {
     indices_.write(row.column);
@@ -227,9 +224,14 @@ class NpzSink : public RowSink {
     addText("about", aboutMatrix(heading_));
     if (zip_close(archive_.get()) != 0) fail();
     archive_.release();
+    removeSpools();
   }
 
  private:
+  void removeSpools() const {
+    std::error_code ignored;
+    for (const SpooledArray* array : {&indices_, &data_}) std::filesystem::remove(array->file(), ignored);
+  }
   void addArray(const std::string& name, const std::string& type, const auto& values) {
     addBytes(name, toBytes({type, {values.size()}}) + bytesOf(values));
   }

@@ -51,6 +51,8 @@ void write(const SparseMatrix& matrix, const std::filesystem::path& file) {
   MatrixWriter writer(file, headingOf(matrix.rows()));
   for (std::size_t r = 0; r < matrix.rows(); ++r) writer.write(matrix.row(r));
   writer.finish();
+  CHECK(!std::filesystem::exists(file.string() + ".data"));
+  CHECK(!std::filesystem::exists(file.string() + ".indices"));
 }
 
 bool isRefused(const std::filesystem::path& file) {
