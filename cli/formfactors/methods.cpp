@@ -8,6 +8,7 @@
 #include "radiosity/discretization/discretize.h"
 #include "radiosity/discretization/patch_points.h"
 #include "radiosity/form_factors/scene_form_factors.h"
+#include "reference/truth/closed_forms/merged_pieces.h"
 #include "reference/truth/closed_forms/scene_form_factors.h"
 #include "reference/truth/rays/monte_carlo_form_factors.h"
 
@@ -104,8 +105,8 @@ struct Polygons {
 
   Polygons(const radiosity::Scene& scene, const radiosity::Discretization& discretization)
       : whole(radiosity::discretize(scene, {.texels = 1})),
-        ofWhole(reference::surfacePieces(scene, whole)),
-        ofTexels(reference::surfacePieces(scene, discretization)) {}
+        ofWhole(reference::mergedPieces(reference::surfacePieces(scene, whole))),
+        ofTexels(reference::mergedPieces(reference::surfacePieces(scene, discretization))) {}
 };
 
 std::vector<std::uint32_t> elementsOf(const radiosity::Discretization& discretization, const Source& source) {
