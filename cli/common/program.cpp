@@ -56,7 +56,8 @@ std::string missingArguments(const CLI::App& app) {
 
 /// share/hemitex beside the folder of the program; it may not exist.
 std::filesystem::path folderBesideProgram() {
-  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe");
+  std::error_code isUnknown;  // without /proc
+  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", isUnknown);
   return program.parent_path().parent_path() / "share" / "hemitex";
 }
 
