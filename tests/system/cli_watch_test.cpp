@@ -14,7 +14,8 @@ namespace {
 /// Lines of `sh` that run `hemitex watch` while `changes` run, and then interrupt it. `next` waits until the program
 /// has printed one more line, for at most 60 s. The last line that is printed is the exit code.
 std::string watching(const std::string& options, const std::string& changes) {
-  return "lines=0; next() { lines=$((lines + 1)); n=0; while [ $(wc -l < log) -lt $lines ] && [ $n -lt 600 ]; do "
+  return ": > log; lines=0; next() { lines=$((lines + 1)); n=0; while [ $(wc -l < log) -lt $lines ] && [ $n -lt 600 ]; "
+         "do "
          "sleep 0.1; n=$((n + 1)); done; }\n"
          "'" HEMITEX_PROGRAM "' watch room.obj --json --texels 4 --resolution 32 --size 40x30 -o lit " +
          options + " > log 2> messages &\nnext\n" + changes +
