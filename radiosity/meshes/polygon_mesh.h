@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "radiosity/meshes/scene_object.h"
 #include "radiosity/meshes/text_lines.h"
-#include "radiosity/scene/scene.h"
 
 namespace hemitex::radiosity {
 
@@ -35,9 +35,9 @@ struct MeshCorner {
 };
 
 struct PolygonMesh {
-  std::vector<glm::dvec3> positions = {};              ///< finite; absolute coordinates at most 1e18
-  std::vector<glm::dvec2> texcoords = {};              ///< finite; absolute coordinates at most 1e18
-  std::vector<glm::dvec3> normals = {};                ///< of any length, perhaps 0
+  std::vector<glm::dvec3> positions = {};  ///< finite; absolute coordinates at most 1e18
+  std::vector<glm::dvec2> texcoords = {};  ///< finite; absolute coordinates at most 1e18
+  std::vector<glm::dvec3> normals = {};    ///< of any length, perhaps 0
   std::vector<MeshCorner> corners = {};
   std::vector<MeshPolygon> polygons = {};  ///< in file order
   std::vector<MeshSection> sections = {};  ///< in the order of their first faces

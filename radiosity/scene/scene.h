@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "radiosity/images/image.h"
+#include "radiosity/meshes/scene_object.h"
 #include "radiosity/scene/outside_light.h"
 
 namespace hemitex::radiosity {
@@ -48,12 +49,6 @@ struct Surface {
   std::optional<std::uint32_t> curvedPart = {};
   std::optional<int> twin = {};    ///< of a two-sided surface: the surface of the other side
   std::optional<int> object = {};  ///< in Scene::objects; one without it is an object of its own
-};
-
-/// An object of the file: a group of an OBJ file, or a node of a glTF file.
-struct SceneObject {
-  std::string name;                ///< of the file; those of objects with surfaces are unique
-  std::optional<int> parent = {};  ///< in Scene::objects
 };
 
 /// A camera that a scene file contains.
