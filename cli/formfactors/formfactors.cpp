@@ -41,6 +41,7 @@ struct FormFactorOptions {
   bool all = false;
   bool smooth = false;
   bool facets = false;
+  std::optional<double> maxError;
   std::filesystem::path output;  ///< empty: standard output
 };
 
@@ -51,6 +52,7 @@ const std::string blockersIgnored = "blockers are not looked at";
 
 RowMethod methodOf(const FormFactorOptions& options, const radiosity::Scene& scene,
                    const radiosity::Discretization& discretization, const Receivers& receivers, Console& console) {
+  if (options.maxError) return facetMethod(scene, discretization, receivers, *options.maxError);
   if (options.method == "rays") return rayMethod(scene, discretization, receivers, options.rays);
   if (options.method == "analytic") return analyticMethod(scene, discretization, receivers);
   return drawnMethod(scene, discretization, receivers, options.id, options.drawing, console);
@@ -64,6 +66,7 @@ nlohmann::ordered_json settingsOf(const FormFactorOptions& options) {
             {"seed", options.rays.seed},
             {"aimed", options.rays.aimed}};
   if (options.method == "analytic") return {{"method", options.method}, {"blockers_ignored", true}};
+  if (options.maxError) return {{"method", options.method}, {"max_error", *options.maxError}};
   nlohmann::ordered_json settings{{"method", options.method}};
   settings.update(toJson(options.drawing));
   return settings;
@@ -238,13 +241,19 @@ class MatrixRows {
       smallestSum_ = std::min(smallestSum_, sum);
       largestSum_ = std::max(largestSum_, sum);
     }
+    if (row.error) errors_.push_back(*row.error);
     writer_.write({row.receiver, row.formFactor});
   }
-  nlohmann::ordered_json toJson() const { return {{"entries", entries_}, {"row_sums", {smallestSum_, largestSum_}}}; }
+  nlohmann::ordered_json toJson() const {
+    nlohmann::ordered_json text{{"entries", entries_}, {"row_sums", {smallestSum_, largestSum_}}};
+    if (!errors_.empty()) text["errors"] = errors_;
+    return text;
+  }
 
  private:
   reference::MatrixWriter& writer_;
   std::size_t facets_, entries_ = 0;
+  std::vector<double> errors_;  ///< estimates, one per row, if the method has them
   double smallestSum_ = std::numeric_limits<double>::infinity(), largestSum_ = 0;
 };
 
@@ -343,6 +352,7 @@ void chooseFacets(FormFactorOptions& options, Command command) {
   if (!settings.facets) return;
   if (settings.sides == radiosity::Sides::Two) usageError("--two-sided", "is not used with --facets; omit one of them");
   settings.sides = radiosity::Sides::One;
+  options.discretization.isUnburied = true;  // a facet sends light from all of its area
   if (!command.isGiven("--texels") && !command.isGiven("--texel-size")) options.discretization.texels = 1;
 }
 
@@ -373,6 +383,10 @@ void addFormFactors(Command program, Context& context) {
                "FILE.part, from which an interrupted run goes on")
       .needs(all);
   const Command method = command.under("Form factors");
+  const Option maxError = addPositive(
+      method, "--max-error", options->maxError, 1,
+      "with --all --facets -o, bound the error of every row, which is the sum of the absolute errors of its form "
+      "factors: hemicubes tell what is hidden, closed forms tell the rest (default: by the other options)");
   addChoice<std::string>(
       method, "--method", options->method,
       {{"hemicube", "hemicube"},
@@ -393,6 +407,9 @@ void addFormFactors(Command program, Context& context) {
   addDiscretizationOptions(command, options->discretization);
   addIdOptions(command, options->id);
   addSceneOptions(command, options->scene);
+  for (const char* chosen : {"--resolution", "--orientation", "--split", "--pixels-per-element", "--discretize",
+                             "--method", "--samples", "--texels", "--texel-size", "--surface"})
+    maxError.excludes(command.option(chosen));
   command.showFirst({"--from", "--by-surface", "--all", "--facets", "--smooth", "--method", "--resolution", "--samples",
                      "--texels", "--patch"});
   command.addExamples(
@@ -403,6 +420,8 @@ void addFormFactors(Command program, Context& context) {
       usageError("--from", "is required; or print the matrix with --all --by-surface");
     if (options->all && !options->bySurface) requireMatrixFile(*options);
     chooseFacets(*options, command);
+    if (options->maxError && !(isSparse(*options) && options->scene.settings.facets))
+      usageError("--max-error", "bounds the rows of a matrix of facets; add --all --facets -o FILE.npz");
     const auto projection = projectionNamed(options->method);
     if (projection) options->drawing.projection = *projection;
     if (!projection) refuseUnused(command, drawingOptionNames(), options->method);

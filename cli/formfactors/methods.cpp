@@ -8,8 +8,10 @@
 #include "radiosity/discretization/discretize.h"
 #include "radiosity/discretization/patch_points.h"
 #include "radiosity/form_factors/scene_form_factors.h"
+#include "raster/base/parallel.h"
 #include "reference/truth/closed_forms/merged_pieces.h"
 #include "reference/truth/closed_forms/scene_form_factors.h"
+#include "reference/truth/facets/facet_form_factors.h"
 #include "reference/truth/rays/monte_carlo_form_factors.h"
 
 namespace hemitex::cli {
@@ -109,6 +111,30 @@ struct Polygons {
         ofTexels(reference::mergedPieces(reference::surfacePieces(scene, discretization))) {}
 };
 
+/// Rows of facets, computed in blocks of many by all threads.
+class FacetRows {
+ public:
+  FacetRows(const radiosity::Scene& scene, const radiosity::Discretization& discretization, double maxError)
+      : count_(scene.surfaces.size()), factors_(scene, discretization, {maxError}) {}
+
+  const reference::FacetRow& row(std::uint32_t facet) {
+    if (facet < first_ || facet >= first_ + rows_.size()) {
+      constexpr std::size_t blockLength = 256;
+      first_ = facet;
+      rows_.resize(std::min(blockLength, count_ - facet));
+      raster::parallelFor(rows_.size(),
+                          [&](std::size_t i) { rows_[i] = factors_.row(first_ + static_cast<std::uint32_t>(i)); });
+    }
+    return rows_[facet - first_];
+  }
+
+ private:
+  std::size_t count_;
+  reference::FacetFormFactors factors_;
+  std::uint32_t first_ = 0;  ///< of the block
+  std::vector<reference::FacetRow> rows_;
+};
+
 std::vector<std::uint32_t> elementsOf(const radiosity::Discretization& discretization, const Source& source) {
   if (source.element) return {*source.element};
   std::vector<std::uint32_t> elements;
@@ -154,6 +180,17 @@ RowMethod drawnMethod(const radiosity::Scene& scene, const radiosity::Discretiza
       std::make_shared<PatchNumbers>(radiosity::patchesOfSurfaces(split->patches, split->grids.size()));
   return [&scene, &receivers, split, drawn, patches](const Source& source) {
     return meanRow(scene, *split, *patches, drawn->rows(), source, receivers);
+  };
+}
+
+RowMethod facetMethod(const radiosity::Scene& scene, const radiosity::Discretization& discretization,
+                      const Receivers& receivers, double maxError) {
+  const auto rows = std::make_shared<FacetRows>(scene, discretization, maxError);
+  return [&receivers, rows](const Source& source) {
+    const reference::FacetRow& found = rows->row(source.surfaces.front());
+    Row row{.formFactor = found.factors, .background = found.surroundings, .back = found.backs, .error = found.error};
+    for (const std::uint32_t surface : found.facets) row.receiver.push_back(receivers.ofSurface[surface]);
+    return row;
   };
 }
 

@@ -33,6 +33,7 @@ struct Row {
   std::optional<double> back = {};           ///< share that meets backs of faces; none if the method ignores blockers
   std::optional<double> captured = {};  ///< share that the projection captures; the rest is in `background`; none if
                                         ///< the method does not draw
+  std::optional<double> error = {};     ///< estimate of the sum of the absolute errors; none if the method has none
 };
 
 /// The place of a receiver in `row.receiver`; nothing if it has no entry.
@@ -47,6 +48,11 @@ using RowMethod = std::function<Row(const Source&)>;
 RowMethod drawnMethod(const radiosity::Scene& scene, const radiosity::Discretization& discretization,
                       const Receivers& receivers, const radiosity::IdSettings& id,
                       const radiosity::DrawingSettings& settings, Console& console);
+
+/// Rows with an error of at most `maxError` (reference/truth/facets/facet_form_factors.h). Each receiver is one surface
+/// of one element. Rows that are asked for in their order are computed by all threads.
+RowMethod facetMethod(const radiosity::Scene& scene, const radiosity::Discretization& discretization,
+                      const Receivers& receivers, double maxError);
 
 /// Settings of the ray method.
 struct RayOptions {

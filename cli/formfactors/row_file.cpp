@@ -36,8 +36,8 @@ std::optional<double> numberIn(const json& value) {
 }  // namespace
 
 std::string lineOf(const Row& row) {
-  return json{row.receiver,           row.formFactor,   row.standardError,
-              orNull(row.background), orNull(row.back), orNull(row.captured)}
+  return json{row.receiver,     row.formFactor,       row.standardError, orNull(row.background),
+              orNull(row.back), orNull(row.captured), orNull(row.error)}
       .dump();
 }
 
@@ -48,7 +48,8 @@ Row rowOf(const std::string& line) {
           row[2].get<std::vector<double>>(),
           numberIn(row[3]),
           numberIn(row[4]),
-          numberIn(row[5])};
+          numberIn(row[5]),
+          numberIn(row[6])};
 }
 
 RowFile::RowFile(const std::filesystem::path& output, const std::vector<std::filesystem::path>& inputs,

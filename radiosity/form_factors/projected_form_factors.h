@@ -71,6 +71,8 @@ class ProjectedFormFactors {
   std::vector<ViewPoint> pointsOfPatch(const Patch& patch) const;
   /// The views from these points.
   std::vector<View> viewsOfPatch(const Patch& patch);
+  /// The view from one point.
+  View viewFrom(const ViewPoint& from);
   /// The row of one view.
   FormFactorRow ofView(const View& view);
   /// The sum of the pixels of windows of a view. It is their contribution to its row if isSumOfWindows.
@@ -80,7 +82,6 @@ class ProjectedFormFactors {
   bool isSumOfWindows() const { return settings_.pixelsPerElement == 0; }
 
  private:
-  View viewFrom(const ViewPoint& from);
   const Projection& projectionAfter(int halvings);
 
   const Scene& scene_;

@@ -1,0 +1,238 @@
+#include "reference/truth/facets/facet_form_factors.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "radiosity/form_factors/scene_form_factors.h"
+#include "radiosity/projection/covered_share.h"
+#include "reference/truth/closed_forms/quick_form_factor.h"
+
+namespace hemitex::reference {
+namespace {
+
+using radiosity::formFactor;
+
+/// A visible part above this is 1: the covered pixels of this program and those of the renderer differ at edges.
+constexpr double wholeVisible = 0.995;
+
+/// A facet whose covered pixels have less light than this number of pixels at the pole has an uncertain visible part.
+constexpr double fewestPixels = 4;
+
+/// The error of the mean over both sets of points, per difference between them; measured on cities and rooms.
+constexpr double errorPerDifference = 1.5;
+
+int resolutionFor(double maxError) { return maxError >= 0.005 ? 64 : 128; }
+
+/// The points of a facet: two sets, each of the centroids of the n^2 equal parts of its triangles. Parts are divided
+/// into four, whose middle one keeps the centroid. So each set grows without losing points.
+struct Rule {
+  std::array<int, 2> divisions;  ///< n of both sets
+};
+constexpr std::array rules{Rule{{2, 3}}, Rule{{4, 3}}, Rule{{4, 6}}, Rule{{8, 6}}, Rule{{8, 12}}, Rule{{16, 12}}};
+
+/// The light through pixels of a facet, from both sets of points.
+struct FacetSums {
+  std::array<double, 2> seen{}, covered{};
+  int views = 0;  ///< that `covered` counts
+  double unblocked = -1;
+
+  double visiblePart(double light, double alone) const { return alone > 0 ? std::min(light / alone, 1.0) : 0; }
+};
+
+/// Calls visit(weights) with the barycentric weights of the corners 1 and 2 of the centroids of the n^2 equal parts of
+/// a triangle, but for those that a division into n / 2 has.
+template <typename Visit>
+void forEachNewCentroid(int n, bool isFirst, const Visit& visit) {
+  // Part (i, j) of the division into n, upright or turned over, is the middle one of a part of n / 2 if it is turned
+  // over in an upright part, or upright in one that is turned over.
+  const auto isOld = [&](int i, int j, bool isUpright) {
+    return !isFirst && i % 2 == (isUpright ? 1 : 0) && j % 2 == (isUpright ? 1 : 0);
+  };
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n - i; ++j) {
+      if (!isOld(i, j, true)) visit(glm::dvec2((i + 1.0 / 3) / n, (j + 1.0 / 3) / n));
+      if (j < n - i - 1 && !isOld(i, j, false)) visit(glm::dvec2((i + 2.0 / 3) / n, (j + 2.0 / 3) / n));
+    }
+}
+
+double unblockedFactor(const radiosity::Surface& from, const radiosity::Surface& to) {
+  double area = 0, sum = 0;
+  for (const radiosity::Triangle& a : from.triangles) {
+    const double size = radiosity::area(a);
+    area += size;
+    for (const radiosity::Triangle& b : to.triangles) sum += size * quickFormFactor(a.position, b.position);
+  }
+  return sum / area;
+}
+
+/// A view, the area of its triangle and the set of its point.
+struct WeightedView {
+  radiosity::View view;
+  double weight;
+  std::size_t set;
+};
+
+}  // namespace
+
+/// What one thread needs to compute rows.
+class FacetFormFactors::Worker {
+ public:
+  Worker(const radiosity::Scene& scene, const radiosity::Discretization& discretization,
+         const radiosity::IdLayout& layout, const FacetRowSettings& settings)
+      : scene_(scene),
+        discretization_(discretization),
+        settings_(settings),
+        renderer_(radiosity::sceneRenderer(scene, discretization, layout, radiosity::ElementsBy::Texture)),
+        rows_(scene, discretization, layout, *renderer_, {.resolution = resolutionFor(settings.maxError)}),
+        sums_(scene.surfaces.size()),
+        // The pole has the largest share of the light per pixel: the area of a pixel over pi.
+        poleShare_(4 / (3.14159265358979 * std::pow(resolutionFor(settings.maxError), 2))) {}
+
+  FacetRow row(std::uint32_t facet) {
+    views_.clear();
+    background_ = backs_ = 0;
+    weights_ = {};
+    std::array<int, 2> divisions{};
+    FacetRow row;
+    for (const Rule& rule : rules) {
+      for (std::size_t set = 0; set < 2; ++set)
+        if (rule.divisions[set] > divisions[set]) {
+          addViews(facet, set, rule.divisions[set], divisions[set] == 0);
+          divisions[set] = rule.divisions[set];
+        }
+      countCovered();
+      row = rowOf(facet);
+      if (row.error <= settings_.maxError) break;
+    }
+    for (const std::uint32_t f : touched_) sums_[f] = {};
+    touched_.clear();
+    return row;
+  }
+
+ private:
+  void addViews(std::uint32_t facet, std::size_t set, int divisions, bool isFirst) {
+    const radiosity::Surface& surface = scene_.surfaces[facet];
+    for (std::uint32_t t = 0; t < surface.triangles.size(); ++t)
+      forEachNewCentroid(divisions, isFirst, [&](const glm::dvec2& weights) {
+        addView(facet, radiosity::pointOn(surface, t, weights), radiosity::area(surface.triangles[t]), set);
+      });
+  }
+
+  /// `weight` is the area of the point's triangle.
+  void addView(std::uint32_t facet, const radiosity::SurfacePoint& point, double weight, std::size_t set) {
+    const auto number = static_cast<int>(views_.size());
+    const glm::dvec3 up = radiosity::upOf(radiosity::Orientation::Turned, point.normal, facet, number);
+    views_.push_back({rows_.viewFrom({.surface = facet, .point = point, .up = up, .area = 1}), weight, set});
+    const radiosity::FormFactorRow row = rows_.ofView(views_.back().view);
+    for (std::size_t i = 0; i < row.elements.size(); ++i) {
+      const std::uint32_t seen = discretization_.elements[row.elements[i]].surface;
+      FacetSums& sums = sums_[seen];
+      if (sums.seen[0] + sums.seen[1] == 0) touched_.push_back(seen);
+      sums.seen[set] += weight * formFactor(row.shares[i]);
+    }
+    background_ += weight * formFactor(row.background);
+    backs_ += weight * formFactor(row.back);
+    weights_[set] += weight;
+  }
+
+  /// Adds what each seen facet covers in the views in which it was not counted yet, also where it is hidden.
+  void countCovered() {
+    for (const std::uint32_t facet : touched_) {
+      FacetSums& sums = sums_[facet];
+      for (; sums.views < static_cast<int>(views_.size()); ++sums.views) {
+        const auto& [view, weight, set] = views_[static_cast<std::size_t>(sums.views)];
+        for (const radiosity::Triangle& triangle : scene_.surfaces[facet].triangles) {
+          std::array<glm::dvec3, 3> corners = triangle.position;
+          for (glm::dvec3& corner : corners) corner -= scene_.origin;
+          sums.covered[set] += weight * radiosity::coveredShare(*view.projection, view.faces, corners);
+        }
+      }
+    }
+  }
+
+  FacetRow rowOf(std::uint32_t facet) {
+    const double weight = weights_[0] + weights_[1];
+    std::sort(touched_.begin(), touched_.end());
+    FacetRow row{
+        .surroundings = background_ / weight, .backs = backs_ / weight, .points = static_cast<int>(views_.size())};
+    double certain = 0, uncertain = row.surroundings + row.backs;
+    std::vector<bool> isCertain;
+    for (const std::uint32_t f : touched_) {
+      FacetSums& sums = sums_[f];
+      const double seen = sums.seen[0] + sums.seen[1], covered = sums.covered[0] + sums.covered[1];
+      double factor = seen / weight, difference = std::abs(sums.seen[0] / weights_[0] - sums.seen[1] / weights_[1]);
+      bool isWhole = false;
+      if (covered > fewestPixels * poleShare_ * weight / static_cast<double>(views_.size())) {
+        if (sums.unblocked < 0) sums.unblocked = unblockedFactor(scene_.surfaces[facet], scene_.surfaces[f]);
+        const double part = sums.visiblePart(seen, covered);
+        isWhole = part > wholeVisible;
+        factor = sums.unblocked * (isWhole ? 1.0 : part);
+        difference = isWhole ? 0
+                             : sums.unblocked * std::abs(sums.visiblePart(sums.seen[0], sums.covered[0]) -
+                                                         sums.visiblePart(sums.seen[1], sums.covered[1]));
+      }
+      if (factor <= 0) continue;
+      row.facets.push_back(f);
+      row.factors.push_back(factor);
+      isCertain.push_back(isWhole);
+      (isWhole ? certain : uncertain) += factor;
+      row.error += errorPerDifference * difference;
+    }
+    close(row, isCertain, certain, uncertain);
+    return row;
+  }
+
+  /// Scales the shares that are not certain, so that all sum to 1.
+  static void close(FacetRow& row, const std::vector<bool>& isCertain, double certain, double uncertain) {
+    const double left = 1 - certain;
+    if (left > 0 && uncertain > 0) {
+      const double scale = left / uncertain;
+      for (std::size_t i = 0; i < row.factors.size(); ++i)
+        if (!isCertain[i]) row.factors[i] *= scale;
+      row.surroundings *= scale;
+      row.backs *= scale;
+    } else {
+      for (double& factor : row.factors) factor /= certain + uncertain;
+      row.surroundings /= certain + uncertain;
+      row.backs /= certain + uncertain;
+    }
+  }
+
+  const radiosity::Scene& scene_;
+  const radiosity::Discretization& discretization_;
+  FacetRowSettings settings_;
+  std::unique_ptr<raster::ItemBufferRenderer> renderer_;
+  radiosity::ProjectedFormFactors rows_;
+  std::vector<FacetSums> sums_;         ///< of each facet
+  std::vector<std::uint32_t> touched_;  ///< the facets that the present row sees
+  std::vector<WeightedView> views_;     ///< of the present row
+  std::array<double, 2> weights_{};     ///< of the views of both sets
+  double background_ = 0, backs_ = 0;   ///< sums over the views
+  double poleShare_;
+};
+
+FacetFormFactors::FacetFormFactors(const radiosity::Scene& scene, const radiosity::Discretization& discretization,
+                                   const FacetRowSettings& settings)
+    : scene_(scene), discretization_(discretization), settings_(settings), layout_(radiosity::layOut(discretization)) {}
+
+FacetFormFactors::~FacetFormFactors() = default;
+
+FacetRow FacetFormFactors::row(std::uint32_t facet) {
+  std::unique_ptr<Worker> worker;
+  {
+    const std::lock_guard guard(mutex_);
+    if (!idle_.empty()) {
+      worker = std::move(idle_.back());
+      idle_.pop_back();
+    }
+  }
+  if (!worker) worker = std::make_unique<Worker>(scene_, discretization_, layout_, settings_);
+  FacetRow row = worker->row(facet);
+  const std::lock_guard guard(mutex_);
+  idle_.push_back(std::move(worker));
+  return row;
+}
+
+}  // namespace hemitex::reference

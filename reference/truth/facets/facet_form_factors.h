@@ -1,0 +1,65 @@
+/// Rows of form factors between facets, each with an estimate of its error.
+///
+/// A hemicube sees well what is hidden, but it measures large near facets badly: the form factor changes along the
+/// shooting facet, and edges alias. A closed form knows both, but not what is hidden. So the form factor from facet i
+/// to facet j is
+///
+///     F_ij = v_ij U_ij,
+///
+/// where U is the closed form without blockers (quick_form_factor.h), and v the visible part: the light that reaches j
+/// through the pixels of hemicubes over points of i, over the light through the pixels that j covers as if it were
+/// alone (radiosity/projection/covered_share.h). Both sums have the same points and pixels, so that most errors of the
+/// hemicubes cancel. A facet that covers very few pixels keeps the light through its pixels.
+///
+/// The points are of low discrepancy, with more of them until the estimated error is small enough. The estimate
+/// compares two halves of the points: each visible part is measured twice, and the row's error is half of the sum of
+/// the differences.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <vector>
+
+#include "radiosity/discretization/discretization.h"
+#include "radiosity/index_maps/id_layout.h"
+#include "radiosity/scene/scene.h"
+
+namespace hemitex::reference {
+
+struct FacetRow {
+  std::vector<std::uint32_t> facets = {};  ///< ascending
+  std::vector<double> factors = {};        ///< one per facet, in (0, 1]
+  double surroundings = 0;                 ///< share that meets nothing
+  double backs = 0;                        ///< share that meets backs of facets; the sum of all shares is 1
+  double error = 0;                        ///< estimate of the sum over facets of the absolute errors
+  int points = 0;                          ///< from which hemicubes were drawn
+};
+
+struct FacetRowSettings {
+  double maxError =
+      0.01;  ///< of a row: points are added until the estimate is below, at most 400 per triangle; above 0
+};
+
+class FacetFormFactors {
+ public:
+  /// Facet f is surface f, of one element each, planar and unburied (DiscretizationSettings::isUnburied). The scene and
+  /// the discretization must outlive this object.
+  FacetFormFactors(const radiosity::Scene& scene, const radiosity::Discretization& discretization,
+                   const FacetRowSettings& settings);
+  ~FacetFormFactors();
+
+  /// The row of a facet. May be called by several threads; the result does not depend on them.
+  FacetRow row(std::uint32_t facet);
+
+ private:
+  class Worker;
+  const radiosity::Scene& scene_;
+  const radiosity::Discretization& discretization_;
+  FacetRowSettings settings_;
+  radiosity::IdLayout layout_;
+  std::mutex mutex_;
+  std::vector<std::unique_ptr<Worker>> idle_;
+};
+
+}  // namespace hemitex::reference

@@ -1,0 +1,96 @@
+/// FacetFormFactors: rows with an estimated error, against closed forms and rays.
+#include "reference/truth/facets/facet_form_factors.h"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <numeric>
+
+#include "radiosity/discretization/discretize.h"
+#include "radiosity/scene/load_scene.h"
+#include "raster/base/parallel.h"
+#include "reference/truth/closed_forms/polygon_to_polygon.h"
+#include "reference/truth/rays/monte_carlo_form_factors.h"
+#include "tests/support/picture_scenes.h"
+
+using namespace hemitex;
+using namespace hemitex::radiosity;
+using namespace hemitex::reference;
+
+namespace {
+
+double sumOf(const FacetRow& row) {
+  return std::accumulate(row.factors.begin(), row.factors.end(), row.surroundings + row.backs);
+}
+
+/// Each triangle of a scene as a facet.
+Scene facetsOf(const Scene& scene) {
+  Scene facets = scene;
+  facets.surfaces.clear();
+  for (const Surface& surface : scene.surfaces)
+    for (const Triangle& triangle : surface.triangles) {
+      facets.surfaces.push_back(surface);
+      facets.surfaces.back().name = std::to_string(facets.surfaces.size());
+      facets.surfaces.back().triangles = {triangle};
+    }
+  return facets;
+}
+
+}  // namespace
+
+TEST_CASE("FacetFormFactors of an empty room are closed forms: everything is visible", "[facets]") {
+  const Scene room = facetsOf(tests::makeRoom());
+  const Discretization elements = discretize(room, {.texels = 1});
+  FacetFormFactors factors(room, elements, {.maxError = 0.01});
+  for (std::uint32_t i = 0; i < room.surfaces.size(); ++i) {
+    const FacetRow row = factors.row(i);
+    CHECK(sumOf(row) == Approx(1).epsilon(1e-12));
+    for (std::size_t k = 0; k < row.facets.size(); ++k) {
+      const double exact =
+          polygonToPolygon(room.surfaces[i].triangles[0].position, room.surfaces[row.facets[k]].triangles[0].position);
+      CHECK(row.factors[k] == Approx(exact).epsilon(2e-3));
+    }
+    CHECK(row.error < 0.002);
+  }
+}
+
+TEST_CASE("FacetFormFactors with blockers agree with rays within their estimated error", "[facets]") {
+  const Scene box = loadScene(HEMITEX_DATA "/cornell-box.obj", {.facets = true});
+  const Discretization elements = discretize(box, {.texels = 1, .isUnburied = true});
+  const RayFormFactors rays(box, elements);
+  const Receivers receivers = everyElement(elements);
+  FacetFormFactors factors(box, elements, {.maxError = 0.01});
+  for (std::uint32_t i = 0; i < box.surfaces.size(); ++i) {
+    CAPTURE(i);
+    const FacetRow row = factors.row(i);
+    CHECK(sumOf(row) == Approx(1).epsilon(1e-12));
+    CHECK(row.error <= 0.01);
+    const MeasuredRow truth = rays.overHemisphere(
+        areaRaySource(rays.pieces(), std::vector{elements.grids[i].firstElement}), receivers, {.samples = 1 << 18});
+    std::vector<double> found(box.surfaces.size());
+    for (std::size_t k = 0; k < row.facets.size(); ++k) found[row.facets[k]] = row.factors[k];
+    double error = 0, noise = 0;
+    for (std::uint32_t e = 0; e < elements.elements.size(); ++e) {
+      error += std::abs(found[elements.elements[e].surface] - truth.receivers[e].value);
+      noise += truth.receivers[e].standardError;
+    }
+    CHECK(error <= row.error + noise);
+  }
+}
+
+TEST_CASE("FacetFormFactors give the same bits whatever was asked before, with any number of threads", "[facets]") {
+  const Scene box = loadScene(HEMITEX_DATA "/cornell-box.obj", {.facets = true});
+  const Discretization elements = discretize(box, {.texels = 1, .isUnburied = true});
+  const auto rowsOf = [&](int threads) {
+    const raster::ThreadLimit limit(threads);
+    FacetFormFactors factors(box, elements, {.maxError = 0.05});
+    std::vector<FacetRow> rows(box.surfaces.size());
+    raster::parallelFor(rows.size(), [&](std::size_t i) { rows[i] = factors.row(static_cast<std::uint32_t>(i)); });
+    return rows;
+  };
+  const std::vector<FacetRow> one = rowsOf(1), two = rowsOf(2);
+  for (std::size_t i = 0; i < one.size(); ++i) {
+    CHECK(one[i].facets == two[i].facets);
+    CHECK(one[i].factors == two[i].factors);
+    CHECK(one[i].error == two[i].error);
+  }
+}
