@@ -173,7 +173,7 @@ class WatchedSolution {
   void tell(const std::string& state, const std::string& problem = "") const {
     const ordered_json news = {{"version", version_}, {"state", state}, {"problem", problem}};
     Staging staging(asked_.output, FolderUse::SeveralRuns);
-    raster::writeFile(staging.folder() / scriptName, "hemitexWatch(" + news.dump() + ");\n");
+    raster::writeFile(staging.folder() / scriptName, "hemitexWatch(" + toText(news) + ");\n");
     staging.commit();
   }
 

@@ -161,6 +161,18 @@ TEST_CASE("hemitex solve --emission radiance multiplies the emission of scenes, 
   CHECK(shell.run("solve room.obj -o out --emission lumen").exitCode == 2);
 }
 
+TEST_CASE("hemitex solve reads names in Latin-1, and writes valid UTF-8", "[cli]") {
+  const Shell shell;
+  shell.execute(
+      "LC_ALL=C sed -i 's/white/wei\\xdf/' room.mtl room.obj; LC_ALL=C sed -i 's/^g floor/g b\\xf6den/' room.obj");
+  shell.output("solve room.obj -o lit --texels 4 --size 40x30 --resolution 32 --report");
+  const std::string solution = readAll(shell.file("lit/solution.json"));
+  CHECK(json::parse(solution)["surfaces"][0]["name"] ==
+        "b\xef\xbf\xbd"
+        "den");
+  CHECK(readAll(shell.file("lit/scene.glb")).find("wei\xef\xbf\xbd") != std::string::npos);
+}
+
 TEST_CASE("hemitex solve --units gives fluxes in W, and the same radiosity", "[cli]") {
   const Shell shell;
   const std::string solve = "solve room.obj --texels 4 --size 40x30 --resolution 32 --json ";

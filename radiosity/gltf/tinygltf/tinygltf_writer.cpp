@@ -2,6 +2,7 @@
 #include <tiny_gltf.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <set>
 #include <span>
 
@@ -9,6 +10,13 @@
 
 namespace hemitex::radiosity {
 namespace {
+
+/// A name with the replacement character for bytes that are no UTF-8, such as those of an OBJ file in Latin-1. JSON
+/// text must be UTF-8.
+std::string validUtf8(const std::string& name) {
+  using nlohmann::json;
+  return json::parse(json(name).dump(-1, ' ', false, json::error_handler_t::replace));
+}
 
 int last(const auto& list) { return static_cast<int>(list.size()) - 1; }
 
@@ -65,7 +73,7 @@ int appendCorners(tinygltf::Model& gltf, const std::vector<std::uint32_t>& corne
 
 void appendTexture(tinygltf::Model& gltf, const GltfTexture& texture) {
   tinygltf::Image image;
-  image.name = texture.name;
+  image.name = validUtf8(texture.name);
   image.mimeType = "image/png";
   image.bufferView = appendView(gltf, std::span(texture.png), 0);
   gltf.images.push_back(std::move(image));
@@ -100,7 +108,7 @@ void setEmission(const GltfMaterial& material, tinygltf::Material& written) {
 
 tinygltf::Material materialOf(const GltfMaterial& material) {
   tinygltf::Material written;
-  written.name = material.name;
+  written.name = validUtf8(material.name);
   written.pbrMetallicRoughness.metallicFactor = 0;  // also for viewers that do not know unlit materials
   written.pbrMetallicRoughness.baseColorTexture.index = material.texture.value_or(-1);
   if (!material.lightMap) {
@@ -135,11 +143,11 @@ tinygltf::Primitive appendPrimitive(tinygltf::Model& gltf, const GltfPrimitive& 
 /// Appends the node of an object, with its mesh.
 void appendObject(tinygltf::Model& gltf, const GltfObject& object, const glm::dvec3& origin) {
   tinygltf::Node node;
-  node.name = object.name;
+  node.name = validUtf8(object.name);
   if (!object.parent) node.translation = {origin.x, origin.y, origin.z};
   if (!object.primitives.empty()) {
     tinygltf::Mesh mesh;
-    mesh.name = object.name;
+    mesh.name = validUtf8(object.name);
     for (const GltfPrimitive& primitive : object.primitives)
       mesh.primitives.push_back(appendPrimitive(gltf, primitive));
     gltf.meshes.push_back(std::move(mesh));
