@@ -13,6 +13,7 @@ void addCommands(Command program, Context& context) {
   addView(program, context);
   addWatch(program, context);
   addFormFactors(program, context);
+  addMatrix(program, context);
   addTradeoff(program, context);
   addPaper(program, context);
   addBench(program, context);

@@ -11,6 +11,7 @@ void addRender(Command program, Context& context);
 void addView(Command program, Context& context);
 void addWatch(Command program, Context& context);
 void addFormFactors(Command program, Context& context);
+void addMatrix(Command program, Context& context);
 void addTradeoff(Command program, Context& context);
 void addPaper(Command program, Context& context);
 void addBench(Command program, Context& context);

@@ -1,0 +1,51 @@
+/// Judges a matrix of form factors that any program computed for a mesh: what is wrong, where, and which fault explains
+/// it.
+///
+/// Three kinds of facts decide, none of which uses a hemicube:
+/// - what holds for every matrix: entries in [0, 1], sums of rows up to 1, reciprocity;
+/// - closed forms without blockers, which no entry may exceed, and which are 0 where nothing can be seen;
+/// - rays from some facets, whose intervals contain the true form factors with a confidence of about 1 - 1e-6 each.
+///
+/// If entries leave their intervals, known faults are tried: each predicts another matrix, such as the transposed one.
+/// The fault whose prediction fits the given rows far better than the truth is named.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "radiosity/discretization/discretization.h"
+#include "radiosity/scene/scene.h"
+#include "reference/truth/matrices/sparse_matrix.h"
+
+namespace hemitex::reference {
+
+/// The facets of a mesh: surfaces of one element each (see facet_form_factors.h).
+struct FacetMesh {
+  const radiosity::Scene& scene;
+  const radiosity::Discretization& discretization;
+  std::vector<std::uint32_t> facetOf;  ///< of each surface; ascending
+  std::size_t facets = 0;              ///< also those without area, which have no surface
+};
+
+struct JudgeSettings {
+  double tolerance = 0.05;  ///< relative error of an entry that is no fault, >= 0
+  int rows = 32;            ///< that are measured by rays; at least 1
+  int samples = 1 << 18;    ///< rays per row, at least 64
+};
+
+struct MatrixVerdict {
+  std::vector<std::string> problems;  ///< one sentence per kind, with numbers and the worst facets; empty: none found
+  std::optional<std::string> fault;   ///< the fault that explains the problems, if one does
+  double largestRowSum = 0;           ///< over the columns of facets
+  double reciprocity = 0;             ///< sum of |A_i F_ij - A_j F_ji| over sum of A_i F_ij
+  double difference = 0;              ///< in the measured rows: sum of A_i |F_ij - truth| over sum of A_i truth
+  double noise = 0;                   ///< the part of it that the rays explain
+  std::size_t measuredRows = 0;
+};
+
+/// The verdict on a matrix, which has one row per facet, and one column per facet or two more (see sparse_matrix.h).
+MatrixVerdict judgeMatrix(const SparseMatrix& matrix, const FacetMesh& mesh, const JudgeSettings& settings = {});
+
+}  // namespace hemitex::reference
