@@ -3,7 +3,7 @@
 ///
 /// There is no server. The page loads the small script watch.js from its own folder again and again, which browsers
 /// allow for a page from disk. The script names the version of the page that the folder holds; a page of another
-/// version loads itself again. So no port is opened, and nobody else can reach the scene.
+/// version loads itself again. So no port is opened, and other programs cannot ask for the scene.
 #include <algorithm>
 #include <iostream>
 #include <memory>
@@ -198,7 +198,7 @@ void print(const Round& round, const std::string& reason, const Context& context
   }
 }
 
-/// Follows the files after a change; a fault of the scene is told, and the next change may repair it.
+/// Follows the files after a change; prints a fault of the scene, which the next change may repair.
 void followChange(WatchedSolution& solution, const fs::path& changed, Context& context) {
   solution.tell("solving");
   try {
