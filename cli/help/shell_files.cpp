@@ -15,7 +15,7 @@ _PROGRAM() {
   if [[ $offers == '<files>' ]]; then
     mapfile -t COMPREPLY < <(compgen -f -- "$current")
   elif [[ $offers == '<scenes>' ]]; then
-    mapfile -t COMPREPLY < <(compgen -d -- "$current"; compgen -f -- "$current" | grep -iE '\.(obj|gltf|glb)$')
+    mapfile -t COMPREPLY < <(compgen -d -- "$current"; compgen -f -- "$current" | grep -iE '\.(obj|gltf|glb|stl|ply|vtu|vtp|vtk|vs3)$')
   else
     mapfile -t COMPREPLY < <(compgen -W "$offers" -- "$current")
   fi
@@ -29,7 +29,7 @@ local -a offers=("${(@f)$("${words[1]}" --complete "${(@)words[2,CURRENT]}" 2>/d
 if [[ $offers[1] == '<files>' ]]; then
   _files
 elif [[ $offers[1] == '<scenes>' ]]; then
-  _files -g '(#i)*.(obj|gltf|glb)(-.)'
+  _files -g '(#i)*.(obj|gltf|glb|stl|ply|vtu|vtp|vtk|vs3)(-.)'
 else
   local -a described=("${(@)${(@)offers//:/\\:}/$'\t'/:}")
   _describe offer described
@@ -43,7 +43,7 @@ function __PROGRAM_offers
     if test "$offers" = '<files>'
         __fish_complete_path (commandline -ct)
     else if test "$offers" = '<scenes>'
-        __fish_complete_path (commandline -ct) | string match -ri '.*(?:/|\.obj|\.gltf|\.glb)(?:\t.*)?$'
+        __fish_complete_path (commandline -ct) | string match -ri '.*(?:/|\.(?:obj|gltf|glb|stl|ply|vtu|vtp|vtk|vs3))(?:\t.*)?$'
     else
         printf '%s\n' $offers
     end
