@@ -24,6 +24,7 @@
 #include "raster/base/file_io.h"
 #include "reference/base/hashes/sha256.h"
 #include "reference/truth/matrices/matrix_files.h"
+#include "reference/truth/matrices/npz_file.h"
 #include "reference/truth/solution/form_factor_matrix.h"
 
 namespace hemitex::cli {
@@ -51,11 +52,12 @@ bool isSparse(const FormFactorOptions& options) { return options.all && !options
 const std::string blockersIgnored = "blockers are not looked at";
 
 RowMethod methodOf(const FormFactorOptions& options, const radiosity::Scene& scene,
-                   const radiosity::Discretization& discretization, const Receivers& receivers, Console& console) {
-  if (options.maxError) return facetMethod(scene, discretization, receivers, *options.maxError);
+                   const radiosity::Discretization& discretization, const Receivers& receivers, Context& context) {
+  if (options.maxError)
+    return facetMethod(scene, discretization, receivers, *options.maxError, context.ranks ? 1 : 256);
   if (options.method == "rays") return rayMethod(scene, discretization, receivers, options.rays);
   if (options.method == "analytic") return analyticMethod(scene, discretization, receivers);
-  return drawnMethod(scene, discretization, receivers, options.id, options.drawing, console);
+  return drawnMethod(scene, discretization, receivers, options.id, options.drawing, context.console);
 }
 
 /// The settings that the JSON output repeats.
@@ -114,7 +116,7 @@ void printRow(const FormFactorOptions& options, Context& context, const radiosit
   const Families families = familiesOf(scene);
   const Receivers receivers =
       options.bySurface ? familiesAsReceivers(discretization, families) : elementsAsReceivers(discretization);
-  const std::vector<Row> rows{methodOf(options, scene, discretization, receivers, context.console)(source)};
+  const std::vector<Row> rows{methodOf(options, scene, discretization, receivers, context)(source)};
   const Row& row = rows.front();
   tellCaptured(row, context.console);
   context.console.message("from " + options.from + ": " +
@@ -264,7 +266,7 @@ void writeMatrix(const FormFactorOptions& options, Context& context, const radio
   const Receivers receivers = familiesAsReceivers(discretization, families);
   const std::string description = std::filesystem::path(options.output).replace_extension(".json").filename();
   const std::unique_ptr<RowFile> file = rowFileOf(options, context, scene, {description});
-  const RowMethod rowFrom = methodOf(options, scene, discretization, receivers, context.console);
+  const RowMethod rowFrom = methodOf(options, scene, discretization, receivers, context);
   if (!file) return forEachRow(rowFrom, families, nullptr, context, [](const Row&) {});
   const reference::MatrixHeading heading = headingOf(families, receivers);
   reference::MatrixWriter writer(file->staged(), heading);
@@ -272,17 +274,12 @@ void writeMatrix(const FormFactorOptions& options, Context& context, const radio
   forEachRow(rowFrom, families, file.get(), context, [&](Row row) { rows.take(std::move(row)); });
   writer.finish();
   nlohmann::ordered_json result{{"matrix", options.output.filename().string()},
-                                {"sha256", reference::sha256OfFile(file->staged())},
-                                {"facets", heading.facets()},
-                                {"column_surroundings", heading.facets()},
-                                {"column_backs", heading.facets() + 1},
-                                {"surroundings", "share that meets nothing"},
-                                {"backs", "share that meets backs of facets"}};
+                                {"sha256", reference::sha256OfFile(file->staged())}};
+  result.update(nlohmann::ordered_json::parse(reference::aboutMatrix(heading)));
   result.update(rows.toJson());
   result["settings"] = settingsOf(options);
   result["settings"].update(toJson(options.discretization));
   result["area"] = heading.area;
-  if (!heading.names.empty()) result["names"] = heading.names;
   raster::writeFile(file->staged().replace_filename(description), toText(result));
   file->finish(description);
   if (context.json) std::cout << toText(result);
@@ -293,7 +290,7 @@ void printMatrix(const FormFactorOptions& options, Context& context, const radio
   const Families families = familiesOf(scene);
   const Receivers receivers = familiesAsReceivers(discretization, families);
   const std::unique_ptr<RowFile> file = rowFileOf(options, context, scene);
-  const RowMethod rowFrom = methodOf(options, scene, discretization, receivers, context.console);
+  const RowMethod rowFrom = methodOf(options, scene, discretization, receivers, context);
   std::vector<Row> matrix;
   forEachRow(rowFrom, families, file.get(), context, [&](Row row) { matrix.push_back(std::move(row)); });
   if (!context.isWriter()) return;
@@ -345,14 +342,12 @@ void requireMatrixFile(const FormFactorOptions& options) {
     usageError("--all", "is written with methods whose rows sum to 1; --method analytic and --aimed are none");
 }
 
-/// Facets have one side, and one texel unless another size is given.
-void chooseFacets(FormFactorOptions& options, Command command) {
+/// Meshes without materials have facets, of one texel unless another size is given.
+void completeFacets(FormFactorOptions& options, Command command) {
   radiosity::SceneSettings& settings = options.scene.settings;
-  settings.facets = options.facets || (radiosity::isPlainMesh(options.scene.file) && !options.bySurface);
-  if (!settings.facets) return;
+  if (!options.facets && (!radiosity::isPlainMesh(options.scene.file) || options.bySurface)) return;
   if (settings.sides == radiosity::Sides::Two) usageError("--two-sided", "is not used with --facets; omit one of them");
-  settings.sides = radiosity::Sides::One;
-  options.discretization.isUnburied = true;  // a facet sends light from all of its area
+  chooseFacets(settings, options.discretization);
   if (!command.isGiven("--texels") && !command.isGiven("--texel-size")) options.discretization.texels = 1;
 }
 
@@ -419,7 +414,7 @@ void addFormFactors(Command program, Context& context) {
     if (options->from.empty() && !options->all)
       usageError("--from", "is required; or print the matrix with --all --by-surface");
     if (options->all && !options->bySurface) requireMatrixFile(*options);
-    chooseFacets(*options, command);
+    completeFacets(*options, command);
     if (options->maxError && !(isSparse(*options) && options->scene.settings.facets))
       usageError("--max-error", "bounds the rows of a matrix of facets; add --all --facets -o FILE.npz");
     const auto projection = projectionNamed(options->method);

@@ -111,17 +111,17 @@ struct Polygons {
         ofTexels(reference::mergedPieces(reference::surfacePieces(scene, discretization))) {}
 };
 
-/// Rows of facets, computed in blocks of many by all threads.
+/// Rows of facets, computed in blocks by all threads.
 class FacetRows {
  public:
-  FacetRows(const radiosity::Scene& scene, const radiosity::Discretization& discretization, double maxError)
-      : count_(scene.surfaces.size()), factors_(scene, discretization, {maxError}) {}
+  FacetRows(const radiosity::Scene& scene, const radiosity::Discretization& discretization, double maxError,
+            std::size_t blockLength)
+      : count_(scene.surfaces.size()), blockLength_(blockLength), factors_(scene, discretization, {maxError}) {}
 
   const reference::FacetRow& row(std::uint32_t facet) {
     if (facet < first_ || facet >= first_ + rows_.size()) {
-      constexpr std::size_t blockLength = 256;
       first_ = facet;
-      rows_.resize(std::min(blockLength, count_ - facet));
+      rows_.resize(std::min(blockLength_, count_ - facet));
       raster::parallelFor(rows_.size(),
                           [&](std::size_t i) { rows_[i] = factors_.row(first_ + static_cast<std::uint32_t>(i)); });
     }
@@ -129,7 +129,7 @@ class FacetRows {
   }
 
  private:
-  std::size_t count_;
+  std::size_t count_, blockLength_;
   reference::FacetFormFactors factors_;
   std::uint32_t first_ = 0;  ///< of the block
   std::vector<reference::FacetRow> rows_;
@@ -184,8 +184,8 @@ RowMethod drawnMethod(const radiosity::Scene& scene, const radiosity::Discretiza
 }
 
 RowMethod facetMethod(const radiosity::Scene& scene, const radiosity::Discretization& discretization,
-                      const Receivers& receivers, double maxError) {
-  const auto rows = std::make_shared<FacetRows>(scene, discretization, maxError);
+                      const Receivers& receivers, double maxError, std::size_t blockLength) {
+  const auto rows = std::make_shared<FacetRows>(scene, discretization, maxError, blockLength);
   return [&receivers, rows](const Source& source) {
     const reference::FacetRow& found = rows->row(source.surfaces.front());
     Row row{.formFactor = found.factors, .background = found.surroundings, .back = found.backs, .error = found.error};

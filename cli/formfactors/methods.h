@@ -50,9 +50,10 @@ RowMethod drawnMethod(const radiosity::Scene& scene, const radiosity::Discretiza
                       const radiosity::DrawingSettings& settings, Console& console);
 
 /// Rows with an error of at most `maxError` (reference/truth/facets/facet_form_factors.h). Each receiver is one surface
-/// of one element. Rows that are asked for in their order are computed by all threads.
+/// of one element. Rows are computed in blocks of `blockLength` facets from the one that is asked for, by all threads.
+/// If ranks share the rows, the length is 1, because a rank does not compute facets in their order.
 RowMethod facetMethod(const radiosity::Scene& scene, const radiosity::Discretization& discretization,
-                      const Receivers& receivers, double maxError);
+                      const Receivers& receivers, double maxError, std::size_t blockLength);
 
 /// Settings of the ray method.
 struct RayOptions {

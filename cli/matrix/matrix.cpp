@@ -3,11 +3,11 @@
 #include <cmath>
 #include <iostream>
 #include <memory>
-#include <numeric>
 
 #include "cli/common/commands.h"
 #include "cli/common/json.h"
 #include "cli/common/table.h"
+#include "cli/formfactors/methods.h"
 #include "cli/scene/scene_options.h"
 #include "cli/scene/surface_names.h"
 #include "radiosity/discretization/discretize.h"
@@ -35,10 +35,10 @@ struct Mesh {
 };
 
 Mesh meshOf(SceneOptions options, Console& console) {
-  options.settings.facets = true;
-  options.settings.sides = radiosity::Sides::One;
+  radiosity::DiscretizationSettings elements{.texels = 1};
+  chooseFacets(options.settings, elements);
   Mesh mesh{sceneOf(options, console), {}, {}};
-  mesh.discretization = radiosity::discretize(mesh.scene, {.texels = 1, .isUnburied = true});
+  mesh.discretization = radiosity::discretize(mesh.scene, elements);
   mesh.facets = facetsOf(mesh.scene);
   return mesh;
 }
@@ -102,9 +102,7 @@ void compare(const MatrixOptions& options, Context& context) {
           file->string(), 0,
           "has " + std::to_string(matrix->rows()) + " rows, and the mesh has " + std::to_string(facets) + " facets",
           "give matrices of this mesh");
-  std::vector<double> area(facets, 0.0);
-  for (const radiosity::Element& element : mesh.discretization.elements)
-    area[mesh.facets.ofSurface[element.surface]] += element.area;
+  const std::vector<double> area = familiesAsReceivers(mesh.discretization, mesh.facets).area;
   std::vector<Difference> differences;
   double all = 0, apart = 0;
   for (std::size_t f = 0; f < facets; ++f) {

@@ -50,8 +50,7 @@ std::vector<std::string> largestFamilies(const radiosity::Scene& scene) {
   std::vector<double> areas;
   for (const std::vector<std::uint32_t>& surfaces : families.surfaces) {
     areas.push_back(0);
-    for (const std::uint32_t s : surfaces)
-      for (const radiosity::Triangle& triangle : scene.surfaces[s].triangles) areas.back() += radiosity::area(triangle);
+    for (const std::uint32_t s : surfaces) areas.back() += radiosity::area(scene.surfaces[s]);
   }
   std::vector<std::size_t> order(areas.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -122,6 +121,12 @@ void requireLight(const radiosity::Scene& scene, const std::filesystem::path& fi
                                  " (largest surfaces: " + names + ")" + alternative);
   }
   radiosity::requireEmission(scene, file);
+}
+
+void chooseFacets(radiosity::SceneSettings& scene, radiosity::DiscretizationSettings& elements) {
+  scene.facets = true;
+  scene.sides = radiosity::Sides::One;
+  elements.isUnburied = true;
 }
 
 void addDiscretizationOptions(Command command, radiosity::DiscretizationSettings& settings) {

@@ -36,6 +36,9 @@ radiosity::Scene sceneOf(const SceneOptions& options, Console& console);
 void requireLight(const radiosity::Scene& scene, const std::filesystem::path& file,
                   const std::string& alternative = "");
 
+/// Makes each face of a file a facet: a surface of one side, which sends light from all of its area.
+void chooseFacets(radiosity::SceneSettings& scene, radiosity::DiscretizationSettings& elements);
+
 /// Adds the options for dividing surfaces into elements and patches.
 void addDiscretizationOptions(Command command, radiosity::DiscretizationSettings& settings);
 /// Discretizes the scene. Throws InputError with similar names if the scene has no surface of a given name.

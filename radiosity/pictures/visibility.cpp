@@ -104,8 +104,7 @@ std::vector<bool> seenSurfaces(const Scene& scene, const Camera& camera, int wid
   }
   std::vector<bool> seen;
   for (std::size_t s = 0; s < shown.size(); ++s) {
-    double all = 0;
-    for (const Triangle& triangle : scene.surfaces[s].triangles) all += area(triangle);
+    const double all = area(scene.surfaces[s]);
     seen.push_back(shown[s] >= minOfArea * all || pixels[s] >= minOfPicture * width * height);
   }
   return seen;

@@ -151,21 +151,12 @@ void addSurfaces(Scene& scene, std::vector<Surface> parts, const std::string& fa
   }
 }
 
-template <typename T>
-void turnOver(std::array<T, 3>& corners) {
-  std::swap(corners[1], corners[2]);
-}
-
-/// The other side: the same triangles in reverse order, each corner with its own coordinates.
+/// The other side of a surface.
 Surface backOf(const Surface& front) {
   Surface back = front;
   back.name += "/back";
   back.family += "/back";
-  for (Triangle& triangle : back.triangles) {
-    turnOver(triangle.position);
-    turnOver(triangle.chart);
-    turnOver(triangle.texcoord);
-  }
+  turnOver(back);
   return back;
 }
 

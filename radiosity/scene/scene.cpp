@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace hemitex::radiosity {
 namespace {
@@ -20,6 +21,20 @@ double roundingOf(double coordinate) {
 }  // namespace
 
 double area(const Triangle& triangle) { return 0.5 * glm::length(doubledArea(triangle)); }
+
+double area(const Surface& surface) {
+  double sum = 0;
+  for (const Triangle& triangle : surface.triangles) sum += area(triangle);
+  return sum;
+}
+
+void turnOver(Surface& surface) {
+  for (Triangle& triangle : surface.triangles) {
+    std::swap(triangle.position[1], triangle.position[2]);
+    std::swap(triangle.chart[1], triangle.chart[2]);
+    std::swap(triangle.texcoord[1], triangle.texcoord[2]);
+  }
+}
 
 glm::dvec3 normal(const Triangle& triangle) {
   const glm::dvec3 direction = doubledArea(triangle);

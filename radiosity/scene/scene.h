@@ -84,6 +84,11 @@ bool hasMaps(const Scene& scene);
 /// The area of a triangle, and its unit normal on the front side.
 double area(const Triangle& triangle);
 glm::dvec3 normal(const Triangle& triangle);
+/// The area of all triangles of a surface.
+double area(const Surface& surface);
+
+/// Exchanges front and back: the same triangles in reverse order, each corner with its own coordinates.
+void turnOver(Surface& surface);
 
 /// The number of triangles of all surfaces. Triangles are numbered through the scene, surface by surface.
 std::size_t triangleCount(const Scene& scene);

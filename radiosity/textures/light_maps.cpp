@@ -61,13 +61,7 @@ std::vector<std::string> writeLightMaps(const std::filesystem::path& folder, con
                                         const std::vector<glm::dvec3>& irradiance, const PictureView& view) {
   const std::filesystem::path images = folder / "lightmaps";
   std::filesystem::create_directory(images);
-  const std::vector<Image> linear = radiosityTextures(discretization, layout, irradiance);
-  raster::parallelFor(linear.size(), [&](std::size_t t) {
-    writeExr(images / (layout.names[t] + ".exr"), linear[t]);
-    const std::filesystem::path file = images / (layout.names[t] + ".png");
-    const std::vector<unsigned char> png = encodePng(maps.textures[t], file);
-    raster::writeFile(file, {reinterpret_cast<const char*>(png.data()), png.size()});
-  });
+  writeTextures(images, layout.names, maps.textures, radiosityTextures(discretization, layout, irradiance));
   GltfModel model;
   model.origin = scene.origin;
   for (std::size_t i = 0; i < scene.images.size(); ++i)

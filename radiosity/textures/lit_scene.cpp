@@ -150,6 +150,18 @@ std::vector<CodedImage> displayTextures(const Scene& scene, const Discretization
   return textures;
 }
 
+std::vector<GltfTexture> writeTextures(const std::filesystem::path& folder, const std::vector<std::string>& names,
+                                       const std::vector<CodedImage>& codes, const std::vector<Image>& linear) {
+  std::vector<GltfTexture> pngs(names.size());
+  raster::parallelFor(names.size(), [&](std::size_t t) {
+    writeExr(folder / (names[t] + ".exr"), linear[t]);
+    const std::filesystem::path png = folder / (names[t] + ".png");
+    pngs[t] = {names[t], encodePng(codes[t], png)};
+    raster::writeFile(png, {reinterpret_cast<const char*>(pngs[t].png.data()), pngs[t].png.size()});
+  });
+  return pngs;
+}
+
 void addObjects(Scene& lit) {
   for (Surface& surface : lit.surfaces)
     if (!surface.object) {
@@ -184,14 +196,8 @@ Image unlitPicture(const LitScene& lit, const Camera& camera, int width, int hei
 std::vector<std::string> writeLitScene(const std::filesystem::path& folder, const LitScene& lit,
                                        const PictureView& view, const Discretization& discretization,
                                        const std::vector<glm::dvec3>& radiosity) {
-  const std::vector<Image> linear = radiosityTextures(discretization, lit.layout, radiosity);
-  std::vector<GltfTexture> pngs(linear.size());
-  raster::parallelFor(linear.size(), [&](std::size_t t) {
-    writeExr(folder / (lit.layout.names[t] + ".exr"), linear[t]);
-    const std::filesystem::path png = folder / (lit.layout.names[t] + ".png");
-    pngs[t] = {lit.layout.names[t], encodePng(lit.textures[t], png)};
-    raster::writeFile(png, {reinterpret_cast<const char*>(pngs[t].png.data()), pngs[t].png.size()});
-  });
+  std::vector<GltfTexture> pngs =
+      writeTextures(folder, lit.layout.names, lit.textures, radiosityTextures(discretization, lit.layout, radiosity));
   raster::writeFile(folder / "scene.obj", objText(lit.scene));
   raster::writeFile(folder / "scene.mtl", mtlText(lit));
   const std::optional<std::string> warning =

@@ -32,6 +32,11 @@ std::vector<CodedImage> displayTextures(const Scene& scene, const Discretization
                                         const TextureLayout& layout, const std::vector<glm::dvec3>& values,
                                         double exposure, TextureFilter filter, const std::vector<ImageLevels>& maps);
 
+/// Writes NAME.png, the codes, and NAME.exr, the linear values, per texture into a folder. Returns the PNG files.
+/// Throws InputError where a file cannot be written.
+std::vector<GltfTexture> writeTextures(const std::filesystem::path& folder, const std::vector<std::string>& names,
+                                       const std::vector<CodedImage>& codes, const std::vector<Image>& linear);
+
 /// Gives each surface without an object its own.
 void addObjects(Scene& scene);
 

@@ -125,4 +125,12 @@ double quickFormFactor(const TriangleCorners& from, const TriangleCorners& to) {
   return integral / area;
 }
 
+double quickFormFactor(const radiosity::Surface& from, const radiosity::Surface& to) {
+  double sum = 0;
+  for (const radiosity::Triangle& a : from.triangles)
+    for (const radiosity::Triangle& b : to.triangles)
+      sum += radiosity::area(a) * quickFormFactor(a.position, b.position);
+  return sum / radiosity::area(from);
+}
+
 }  // namespace hemitex::reference

@@ -5,6 +5,8 @@
 #include <array>
 #include <glm/glm.hpp>
 
+#include "radiosity/scene/scene.h"
+
 namespace hemitex::reference {
 
 using TriangleCorners = std::array<glm::dvec3, 3>;
@@ -14,5 +16,7 @@ using TriangleCorners = std::array<glm::dvec3, 3>;
 /// Lambert's formula over it (Dunavant, High degree efficient symmetrical Gaussian quadrature rules for the triangle,
 /// 1985); otherwise the result is that of polygonToPolygon. The relative error is below 1e-3, and mostly below 1e-4.
 double quickFormFactor(const TriangleCorners& from, const TriangleCorners& to);
+/// The same between two planar surfaces: the mean over the triangles of `from`, by area.
+double quickFormFactor(const radiosity::Surface& from, const radiosity::Surface& to);
 
 }  // namespace hemitex::reference

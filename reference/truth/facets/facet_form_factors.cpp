@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "radiosity/form_factors/scene_form_factors.h"
@@ -35,11 +36,11 @@ constexpr std::array rules{Rule{{2, 3}}, Rule{{4, 3}}, Rule{{4, 6}}, Rule{{8, 6}
 /// The light through pixels of a facet, from both sets of points.
 struct FacetSums {
   std::array<double, 2> seen{}, covered{};
-  int views = 0;  ///< that `covered` counts
-  double unblocked = -1;
-
-  double visiblePart(double light, double alone) const { return alone > 0 ? std::min(light / alone, 1.0) : 0; }
+  int views = 0;          ///< that `covered` counts
+  double unblocked = -1;  ///< the closed form, once it is known
 };
+
+double visiblePart(double seen, double covered) { return covered > 0 ? std::min(seen / covered, 1.0) : 0; }
 
 /// Calls visit(weights) with the barycentric weights of the corners 1 and 2 of the centroids of the n^2 equal parts of
 /// a triangle, but for those that a division into n / 2 has.
@@ -57,14 +58,10 @@ void forEachNewCentroid(int n, bool isFirst, const Visit& visit) {
     }
 }
 
-double unblockedFactor(const radiosity::Surface& from, const radiosity::Surface& to) {
-  double area = 0, sum = 0;
-  for (const radiosity::Triangle& a : from.triangles) {
-    const double size = radiosity::area(a);
-    area += size;
-    for (const radiosity::Triangle& b : to.triangles) sum += size * quickFormFactor(a.position, b.position);
-  }
-  return sum / area;
+/// The share of the light through a pixel at the pole, which is the largest: the area of the pixel over pi.
+double poleShare(int resolution) {
+  const double side = 2.0 / resolution;
+  return side * side * std::numbers::inv_pi;
 }
 
 /// A view, the area of its triangle and the set of its point.
@@ -87,8 +84,7 @@ class FacetFormFactors::Worker {
         renderer_(radiosity::sceneRenderer(scene, discretization, layout, radiosity::ElementsBy::Texture)),
         rows_(scene, discretization, layout, *renderer_, {.resolution = resolutionFor(settings.maxError)}),
         sums_(scene.surfaces.size()),
-        // The pole has the largest share of the light per pixel: the area of a pixel over pi.
-        poleShare_(4 / (3.14159265358979 * std::pow(resolutionFor(settings.maxError), 2))) {}
+        poleShare_(poleShare(resolutionFor(settings.maxError))) {}
 
   FacetRow row(std::uint32_t facet) {
     views_.clear();
@@ -165,13 +161,13 @@ class FacetFormFactors::Worker {
       double factor = seen / weight, difference = std::abs(sums.seen[0] / weights_[0] - sums.seen[1] / weights_[1]);
       bool isWhole = false;
       if (covered > fewestPixels * poleShare_ * weight / static_cast<double>(views_.size())) {
-        if (sums.unblocked < 0) sums.unblocked = unblockedFactor(scene_.surfaces[facet], scene_.surfaces[f]);
-        const double part = sums.visiblePart(seen, covered);
+        if (sums.unblocked < 0) sums.unblocked = quickFormFactor(scene_.surfaces[facet], scene_.surfaces[f]);
+        const double part = visiblePart(seen, covered);
         isWhole = part > wholeVisible;
         factor = sums.unblocked * (isWhole ? 1.0 : part);
         difference = isWhole ? 0
-                             : sums.unblocked * std::abs(sums.visiblePart(sums.seen[0], sums.covered[0]) -
-                                                         sums.visiblePart(sums.seen[1], sums.covered[1]));
+                             : sums.unblocked * std::abs(visiblePart(sums.seen[0], sums.covered[0]) -
+                                                         visiblePart(sums.seen[1], sums.covered[1]));
       }
       if (factor <= 0) continue;
       row.facets.push_back(f);

@@ -1,10 +1,9 @@
 #include "reference/truth/matrices/matrix_judge.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <functional>
-#include <limits>
+#include <numbers>
 #include <utility>
 
 #include "raster/base/parallel.h"
@@ -33,25 +32,11 @@ double entry(const SparseMatrix& matrix, std::uint32_t row, std::uint32_t column
   return entries.value[static_cast<std::size_t>(place - entries.column.begin())];
 }
 
-double areaOf(const radiosity::Surface& surface) {
-  double area = 0;
-  for (const radiosity::Triangle& triangle : surface.triangles) area += radiosity::area(triangle);
-  return area;
-}
-
-double unblocked(const radiosity::Surface& from, const radiosity::Surface& to) {
-  double sum = 0;
-  for (const radiosity::Triangle& a : from.triangles)
-    for (const radiosity::Triangle& b : to.triangles)
-      sum += radiosity::area(a) * quickFormFactor(a.position, b.position);
-  return sum / areaOf(from);
-}
-
 glm::dvec3 middleOf(const radiosity::Surface& surface) {
   glm::dvec3 sum(0);
   for (const radiosity::Triangle& triangle : surface.triangles)
     sum += radiosity::area(triangle) * (triangle.position[0] + triangle.position[1] + triangle.position[2]) / 3.0;
-  return sum / areaOf(surface);
+  return sum / radiosity::area(surface);
 }
 
 /// A row by rays, one value per surface.
@@ -91,12 +76,7 @@ std::vector<TrueRow> measuredRows(const FacetMesh& mesh, const JudgeSettings& se
 /// The mesh with all facets turned over.
 radiosity::Scene turnedOver(const radiosity::Scene& scene) {
   radiosity::Scene turned = scene;
-  for (radiosity::Surface& surface : turned.surfaces)
-    for (radiosity::Triangle& triangle : surface.triangles) {
-      std::swap(triangle.position[1], triangle.position[2]);
-      std::swap(triangle.chart[1], triangle.chart[2]);
-      std::swap(triangle.texcoord[1], triangle.texcoord[2]);
-    }
+  for (radiosity::Surface& surface : turned.surfaces) radiosity::turnOver(surface);
   return turned;
 }
 
@@ -104,7 +84,7 @@ class Judge {
  public:
   Judge(const SparseMatrix& matrix, const FacetMesh& mesh, const JudgeSettings& settings)
       : matrix_(matrix), mesh_(mesh), settings_(settings) {
-    for (const radiosity::Surface& surface : mesh.scene.surfaces) area_.push_back(areaOf(surface));
+    for (const radiosity::Surface& surface : mesh.scene.surfaces) area_.push_back(radiosity::area(surface));
   }
 
   MatrixVerdict verdict() {
@@ -116,7 +96,7 @@ class Judge {
       unblocked_.emplace_back(mesh_.scene.surfaces.size());
       std::vector<double>& closed = unblocked_.back();
       raster::parallelFor(closed.size(), [&](std::size_t s) {
-        closed[s] = unblocked(mesh_.scene.surfaces[row.surface], mesh_.scene.surfaces[s]);
+        closed[s] = quickFormFactor(mesh_.scene.surfaces[row.surface], mesh_.scene.surfaces[s]);
       });
     }
     checkRows();
@@ -303,9 +283,9 @@ class Judge {
     consider("each column is multiplied by the area of its facet",
              scaled([this](std::size_t, std::uint32_t to) { return 1 / area_[to]; }), truth);
     consider("entries are in percent", scaled([](std::size_t, std::uint32_t) { return 0.01; }), truth);
-    constexpr double pi = 3.14159265358979;
-    consider("entries are multiplied by pi", scaled([](std::size_t, std::uint32_t) { return 1 / pi; }), truth);
-    consider("entries are divided by pi", scaled([](std::size_t, std::uint32_t) { return pi; }), truth);
+    consider("entries are multiplied by pi", scaled([](std::size_t, std::uint32_t) { return std::numbers::inv_pi; }),
+             truth);
+    consider("entries are divided by pi", scaled([](std::size_t, std::uint32_t) { return std::numbers::pi; }), truth);
     const auto last = static_cast<std::int64_t>(mesh_.facets) - 1;
     consider("facets are in reversed order", moved([last](std::int64_t f) { return last - f; }), truth);
     consider("facets are shifted by one, as if counted from 1 instead of 0",

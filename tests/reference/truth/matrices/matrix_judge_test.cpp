@@ -39,10 +39,7 @@ struct Box {
           rays.overHemisphere(areaRaySource(rays.pieces(), std::vector{elements.grids[i].firstElement}),
                               everyElement(elements), {.samples = 1 << 18, .seed = 5});
       for (std::uint32_t e = 0; e < count; ++e) truth[i][elements.elements[e].surface] = row.receivers[e].value;
-      for (std::uint32_t j = 0; j < count; ++j)
-        for (const Triangle& a : scene.surfaces[i].triangles)
-          for (const Triangle& b : scene.surfaces[j].triangles)
-            closed[i][j] += radiosity::area(a) / area[i] * quickFormFactor(a.position, b.position);
+      for (std::uint32_t j = 0; j < count; ++j) closed[i][j] = quickFormFactor(scene.surfaces[i], scene.surfaces[j]);
     }
   }
 };
@@ -68,6 +65,45 @@ Dense changed(const std::function<double(std::size_t, std::size_t)>& change) {
   for (std::size_t i = 0; i < result.size(); ++i)
     for (std::size_t j = 0; j < result.size(); ++j) result[i][j] = change(i, j);
   return result;
+}
+
+/// The true matrix of the mesh whose facets are all turned over.
+Dense turnedOver() {
+  Scene turned = box().scene;
+  for (Surface& surface : turned.surfaces) turnOver(surface);
+  const RayFormFactors rays(turned, box().elements);
+  Dense result(box().count, std::vector<double>(box().count));
+  for (std::uint32_t i = 0; i < box().count; ++i) {
+    const MeasuredRow row =
+        rays.overHemisphere(areaRaySource(rays.pieces(), std::vector{box().elements.grids[i].firstElement}),
+                            everyElement(box().elements), {.samples = 1 << 18, .seed = 6});
+    for (std::uint32_t e = 0; e < box().count; ++e)
+      result[i][box().elements.elements[e].surface] = row.receivers[e].value;
+  }
+  return result;
+}
+
+/// Closed forms between facets whose centres see each other.
+Dense byCentres() {
+  const Scene& scene = box().scene;
+  const RayCaster caster(scene);
+  std::vector<std::uint32_t> surfaceOf, first;
+  std::vector<glm::dvec3> centre;
+  for (std::uint32_t s = 0; s < box().count; ++s) {
+    first.push_back(static_cast<std::uint32_t>(surfaceOf.size()));
+    centre.emplace_back(0);
+    for (const Triangle& triangle : scene.surfaces[s].triangles) {
+      surfaceOf.push_back(s);
+      const auto& [a, b, c] = triangle.position;
+      centre.back() += area(triangle) / box().area[s] / 3 * (a + b + c);
+    }
+  }
+  return changed([&](std::size_t i, std::size_t j) {
+    if (i == j) return 0.0;
+    const auto hit =
+        caster.firstHit({(centre[i] - scene.origin) / scene.extent, glm::normalize(centre[j] - centre[i]), first[i]});
+    return hit && surfaceOf[hit->triangle] == j ? box().closed[i][j] : 0.0;
+  });
 }
 
 bool hasProblem(const Dense& matrix, const std::string& text) {
@@ -120,6 +156,8 @@ TEST_CASE("judgeMatrix names faults that are injected into a true matrix", "[mat
       {"facets are shifted by one, as if counted from 0 instead of 1",
        changed([&](auto i, auto j) { return i == last || j == last ? 0.0 : f[i + 1][j + 1]; })},
       {"blockers are ignored", u},
+      {"all normals are turned over", turnedOver()},
+      {"partly hidden pairs are decided by their centres", byCentres()},
       {"blockers count twice",
        changed([&](auto i, auto j) { return u[i][j] > 0 ? f[i][j] * std::min(f[i][j] / u[i][j], 1.0) : 0.0; })},
       {"rows are normalized to 1, although light leaves the mesh",
