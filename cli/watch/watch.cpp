@@ -102,6 +102,14 @@ class WatchedSolution {
     return round;
   }
 
+  /// Writes watch.js: the state (`shown`, `solving`, `failed` or `ended`), and what is wrong with the scene.
+  void tell(const std::string& state, const std::string& problem = "") const {
+    const ordered_json news = {{"version", version_}, {"state", state}, {"problem", problem}};
+    Staging staging(asked_.output, FolderUse::SeveralRuns);
+    raster::writeFile(staging.folder() / scriptName, "hemitexWatch(" + toText(news) + ");\n");
+    staging.commit();
+  }
+
  private:
   void tellNew(const std::vector<std::string>& warnings) {
     const std::vector<std::string> given = console_.given();
@@ -168,16 +176,6 @@ class WatchedSolution {
     tell("shown");
   }
 
- public:
-  /// Writes watch.js: the state (`shown`, `solving`, `failed` or `ended`), and what is wrong with the scene.
-  void tell(const std::string& state, const std::string& problem = "") const {
-    const ordered_json news = {{"version", version_}, {"state", state}, {"problem", problem}};
-    Staging staging(asked_.output, FolderUse::SeveralRuns);
-    raster::writeFile(staging.folder() / scriptName, "hemitexWatch(" + toText(news) + ");\n");
-    staging.commit();
-  }
-
- private:
   SolveOptions asked_, options_;  ///< as given; and with chosen settings and the exposure of the last new solution
   Console& console_;
   std::set<fs::path> files_;
