@@ -57,12 +57,9 @@ void addCameraOptions(Command command, CameraOptions& options) {
   addVectorOption(command, "--look-at", options.lookAt,
                   "point that is shown in the middle of the picture (default: as for --eye)");
   const auto readUp = [&options](const std::string& text) {
-    if (text != "y" && text != "z") {
-      options.up = vectorOption("--up", text);
-      return;
-    }
-    options.upAxis = text == "y" ? 1 : 2;
-    options.up = text == "y" ? glm::dvec3(0, 1, 0) : glm::dvec3(0, 0, 1);
+    if (text == "y" || text == "z") options.upAxis = text == "y" ? 1 : 2;
+    options.up = text == "y" ? glm::dvec3(0, 1, 0) : text == "z" ? glm::dvec3(0, 0, 1) : parseVector(text);
+    if (!options.up) usageError("--up", "`" + text + "` is neither y, z nor a vector x,y,z of three finite numbers");
   };
   command.addText("--up", "y|z|x,y,z",
                   "the axis that points up in the scene, or a direction that points up in the picture (default: from "
