@@ -25,6 +25,7 @@
 #include "reference/base/hashes/sha256.h"
 #include "reference/truth/matrices/matrix_files.h"
 #include "reference/truth/matrices/npz_file.h"
+#include "reference/truth/matrices/smoothing.h"
 #include "reference/truth/solution/form_factor_matrix.h"
 
 namespace hemitex::cli {
@@ -146,14 +147,22 @@ reference::FormFactorMatrix factorsOf(const std::vector<Row>& matrix) {
   return factors;
 }
 
-/// Smooths the values; standard errors stay those of the measurement.
-reference::MatrixDifference smooth(std::vector<Row>& matrix, const Receivers& receivers) {
-  const reference::FormFactorMatrix raw = factorsOf(matrix);
-  const reference::FormFactorMatrix result = reference::smoothed(raw, receivers.area);
-  for (std::size_t i = 0; i < matrix.size(); ++i)
-    for (std::size_t k = 0; k < matrix[i].receiver.size(); ++k)
-      matrix[i].formFactor[k] = result.factors[i * matrix.size() + matrix[i].receiver[k]];
-  return reference::difference(raw, result);
+/// Smooths the rows of a matrix.
+reference::SmoothingMoves smooth(std::vector<Row>& matrix, const Receivers& receivers) {
+  reference::MatrixSmoother smoother(receivers.area);
+  for (const Row& row : matrix) {
+    const std::vector<float> errors(row.standardError.begin(), row.standardError.end());
+    smoother.add({row.receiver, row.formFactor, errors});
+  }
+  const reference::SmoothingMoves moves = smoother.smooth();
+  std::size_t next = 0;
+  smoother.forEachRow([&](const reference::SparseRow& smoothed) {
+    Row& row = matrix[next++];
+    row.receiver.assign(smoothed.column.begin(), smoothed.column.end());
+    row.formFactor.assign(smoothed.value.begin(), smoothed.value.end());
+    row.standardError.assign(smoothed.error.begin(), smoothed.error.end());
+  });
+  return moves;
 }
 
 void tellChecks(const std::vector<Row>& matrix, const reference::MatrixChecks& checks, const Families& families,
@@ -222,29 +231,56 @@ reference::MatrixHeading headingOf(const Families& families, const Receivers& re
   return heading;
 }
 
-/// Turns rows into those of a matrix: with the columns `surroundings` and `backs` behind those of the receivers.
-class MatrixRows {
- public:
-  MatrixRows(reference::MatrixWriter& writer, std::size_t facets) : writer_(writer), facets_(facets) {}
+/// A row of a matrix, with the columns `surroundings` and `backs` behind those of the receivers.
+struct MatrixRow {
+  std::vector<std::uint32_t> column;
+  std::vector<double> value;
+  std::vector<float> error;
 
-  void take(Row row) {
-    double sum = 0;
-    for (const double factor : row.formFactor) sum += factor;
-    const bool isEmpty = row.receiver.empty() && !row.background;  // of a face without area
-    for (std::uint32_t extra = 0; extra < 2; ++extra) {
-      const double share = (extra == 0 ? row.background : row.back).value_or(0);
-      row.receiver.push_back(static_cast<std::uint32_t>(facets_) + extra);
-      row.formFactor.push_back(share);
-      sum += share;
+  MatrixRow(const Row& row, const reference::MatrixHeading& heading)
+      : column(row.receiver), value(row.formFactor), error(row.standardError.begin(), row.standardError.end()) {
+    const auto facets = static_cast<std::uint32_t>(heading.facets());
+    column.insert(column.end(), {facets, facets + 1});
+    value.insert(value.end(), {row.background.value_or(0), row.back.value_or(0)});
+    if (heading.hasErrors)
+      error.insert(error.end(), {static_cast<float>(row.backgroundError), static_cast<float>(row.backError)});
+  }
+  reference::SparseRow span() const { return {column, value, error}; }
+};
+
+/// The sum of the errors of the facets of a row.
+double errorOf(const reference::SparseRow& row, std::size_t facets) {
+  double sum = 0;
+  for (std::size_t k = 0; k < row.error.size(); ++k)
+    if (row.column[k] < facets) sum += static_cast<double>(row.error[k]);
+  return sum;
+}
+
+/// Writes the rows of a matrix, or smooths them first, and collects what the JSON file says of them.
+class MatrixOutput {
+ public:
+  MatrixOutput(const std::filesystem::path& file, const reference::MatrixHeading& heading, bool isSmooth)
+      : heading_(heading), writer_(file, heading) {
+    if (isSmooth) smoother_.emplace(heading.area);
+  }
+
+  void take(const Row& row) {
+    const MatrixRow complete(row, heading_);
+    if (row.error) unlisted_.push_back(*row.error - errorOf(complete.span(), heading_.facets()));
+    if (smoother_)
+      smoother_->add(complete.span());
+    else
+      write(complete.span());
+  }
+  /// To be called after the last row. Returns how far form factors moved, if they were smoothed.
+  std::optional<reference::SmoothingMoves> finish() {
+    std::optional<reference::SmoothingMoves> moves;
+    if (smoother_) {
+      moves = smoother_->smooth();
+      smoother_->forEachRow([this](const reference::SparseRow& row) { write(row); });
     }
-    entries_ += static_cast<std::size_t>(
-        std::count_if(row.formFactor.begin(), row.formFactor.end(), [](double factor) { return factor != 0; }));
-    if (!isEmpty) {
-      smallestSum_ = std::min(smallestSum_, sum);
-      largestSum_ = std::max(largestSum_, sum);
-    }
-    if (row.error) errors_.push_back(*row.error);
-    writer_.write({row.receiver, row.formFactor});
+    writer_.finish();
+    return moves;
   }
   nlohmann::ordered_json toJson() const {
     nlohmann::ordered_json text{{"entries", entries_}, {"row_sums", {smallestSum_, largestSum_}}};
@@ -253,11 +289,39 @@ class MatrixRows {
   }
 
  private:
-  reference::MatrixWriter& writer_;
-  std::size_t facets_, entries_ = 0;
-  std::vector<double> errors_;  ///< estimates, one per row, if the method has them
+  void write(const reference::SparseRow& row) {
+    double sum = 0;
+    for (const double factor : row.value) sum += factor;
+    entries_ += row.value.size() - static_cast<std::size_t>(std::count(row.value.begin(), row.value.end(), 0.0));
+    if (sum > 0) {  // a face without area has an empty row
+      smallestSum_ = std::min(smallestSum_, sum);
+      largestSum_ = std::max(largestSum_, sum);
+    }
+    if (!unlisted_.empty()) errors_.push_back(unlisted_[errors_.size()] + errorOf(row, heading_.facets()));
+    writer_.write(row);
+  }
+
+  reference::MatrixHeading heading_;
+  reference::MatrixWriter writer_;
+  std::optional<reference::MatrixSmoother> smoother_;
+  std::vector<double> unlisted_;  ///< the part of each row's error that belongs to no entry, if the method has errors
+  std::vector<double> errors_;    ///< one per row
+  std::size_t entries_ = 0;
   double smallestSum_ = std::numeric_limits<double>::infinity(), largestSum_ = 0;
 };
+
+/// The JSON file's words on smoothing.
+nlohmann::ordered_json tellMoves(const reference::SmoothingMoves& moves, bool hasErrors, Console& console) {
+  nlohmann::ordered_json text{{"largest", moves.largest}, {"root_mean_square", moves.rootMeanSquare}};
+  std::string beyond;
+  if (hasErrors) {
+    text["beyond_their_error"] = moves.beyondErrors;
+    beyond = "; " + std::to_string(moves.beyondErrors) + " moved by more than their estimated error";
+  }
+  console.message("smoothing moved form factors by at most " + roundedText(moves.largest) + ", root mean square " +
+                  roundedText(moves.rootMeanSquare) + beyond);
+  return text;
+}
 
 /// Writes the sparse matrix, and the JSON file beside it.
 void writeMatrix(const FormFactorOptions& options, Context& context, const radiosity::Scene& scene,
@@ -268,15 +332,16 @@ void writeMatrix(const FormFactorOptions& options, Context& context, const radio
   const std::unique_ptr<RowFile> file = rowFileOf(options, context, scene, {description});
   const RowMethod rowFrom = methodOf(options, scene, discretization, receivers, context);
   if (!file) return forEachRow(rowFrom, families, nullptr, context, [](const Row&) {});
-  const reference::MatrixHeading heading = headingOf(families, receivers);
-  reference::MatrixWriter writer(file->staged(), heading);
-  MatrixRows rows(writer, heading.facets());
-  forEachRow(rowFrom, families, file.get(), context, [&](Row row) { rows.take(std::move(row)); });
-  writer.finish();
+  reference::MatrixHeading heading = headingOf(families, receivers);
+  heading.hasErrors = options.maxError || options.method == "rays";
+  MatrixOutput matrix(file->staged(), heading, options.smooth);
+  forEachRow(rowFrom, families, file.get(), context, [&](const Row& row) { matrix.take(row); });
+  const std::optional<reference::SmoothingMoves> moves = matrix.finish();
   nlohmann::ordered_json result{{"matrix", options.output.filename().string()},
                                 {"sha256", reference::sha256OfFile(file->staged())}};
   result.update(nlohmann::ordered_json::parse(reference::aboutMatrix(heading)));
-  result.update(rows.toJson());
+  result.update(matrix.toJson());
+  if (moves) result["smoothing"] = tellMoves(*moves, heading.hasErrors, context.console);
   result["settings"] = settingsOf(options);
   result["settings"].update(toJson(options.discretization));
   result["area"] = heading.area;
@@ -296,10 +361,8 @@ void printMatrix(const FormFactorOptions& options, Context& context, const radio
   if (!context.isWriter()) return;
   nlohmann::ordered_json result = settingsOf(options);
   if (options.smooth) {
-    const reference::MatrixDifference moved = smooth(matrix, receivers);
-    context.console.message("smoothing moved form factors by at most " + roundedText(moved.largest) +
-                            ", root mean square " + roundedText(moved.rootMeanSquare));
-    result["smoothing"] = {{"largest", moved.largest}, {"root_mean_square", moved.rootMeanSquare}};
+    const bool hasErrors = !matrix.front().standardError.empty();
+    result["smoothing"] = tellMoves(smooth(matrix, receivers), hasErrors, context.console);
   }
   const reference::MatrixChecks checks = reference::checkMatrix(factorsOf(matrix), receivers.area);
   tellCaptured(matrix.front(), context.console);
@@ -370,9 +433,9 @@ void addFormFactors(Command program, Context& context) {
                "materials, such as STL and VTU, unless --by-surface is given)")
       .excludes(bySurface);
   rows.addFlag("--smooth", options->smooth,
-               "correct the matrix to exact reciprocity by least squares, with the same row sums")
-      .needs(all)
-      .needs(bySurface);
+               "correct the matrix to exact reciprocity by least squares, with the same row sums; both measurements of "
+               "a pair are averaged, so that errors become smaller")
+      .needs(all);
   rows.addPath("-o,--output", options->output,
                "write the matrix into this file, and with --json only its checks to stdout; rows are kept in "
                "FILE.part, from which an interrupted run goes on")

@@ -188,7 +188,13 @@ RowMethod facetMethod(const radiosity::Scene& scene, const radiosity::Discretiza
   const auto rows = std::make_shared<FacetRows>(scene, discretization, maxError, blockLength);
   return [&receivers, rows](const Source& source) {
     const reference::FacetRow& found = rows->row(source.surfaces.front());
-    Row row{.formFactor = found.factors, .background = found.surroundings, .back = found.backs, .error = found.error};
+    Row row{.formFactor = found.factors,
+            .standardError = {found.errors.begin(), found.errors.end()},
+            .background = found.surroundings,
+            .back = found.backs,
+            .backgroundError = found.surroundingsError,
+            .backError = found.backsError,
+            .error = found.error};
     for (const std::uint32_t surface : found.facets) row.receiver.push_back(receivers.ofSurface[surface]);
     return row;
   };
@@ -202,7 +208,10 @@ RowMethod rayMethod(const radiosity::Scene& scene, const radiosity::Discretizati
     const auto measure = options.aimed ? &reference::RayFormFactors::aimed : &reference::RayFormFactors::overHemisphere;
     const reference::MeasuredRow measured =
         (rays->formFactors.*measure)(shooter, rays->receivers, {.samples = options.samples, .seed = options.seed});
-    Row row{.background = measured.background.value, .back = measured.back.value};
+    Row row{.background = measured.background.value,
+            .back = measured.back.value,
+            .backgroundError = measured.background.standardError,
+            .backError = measured.back.standardError};
     for (std::size_t r = 0; r < measured.receivers.size(); ++r) {
       const reference::Measurement& receiver = measured.receivers[r];
       if (receiver.value == 0 && receiver.standardError == 0) continue;

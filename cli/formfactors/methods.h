@@ -26,11 +26,13 @@ Receivers familiesAsReceivers(const radiosity::Discretization& discretization, c
 
 /// A row of form factors. Receivers that are not seen have no entry.
 struct Row {
-  std::vector<std::uint32_t> receiver = {};  ///< ascending
-  std::vector<double> formFactor = {};       ///< one per entry of `receiver`
-  std::vector<double> standardError = {};    ///< one per entry of `receiver`; empty if the method has none
-  std::optional<double> background = {};     ///< share that leaves the scene; none if the method ignores blockers
-  std::optional<double> back = {};           ///< share that meets backs of faces; none if the method ignores blockers
+  std::vector<std::uint32_t> receiver = {};   ///< ascending
+  std::vector<double> formFactor = {};        ///< one per entry of `receiver`
+  std::vector<double> standardError = {};     ///< one per entry of `receiver`; for facets the estimated error; empty if
+                                              ///< the method has none
+  std::optional<double> background = {};      ///< share that leaves the scene; none if the method ignores blockers
+  std::optional<double> back = {};            ///< share that meets backs of faces; none if the method ignores blockers
+  double backgroundError = 0, backError = 0;  ///< as standardError
   std::optional<double> captured = {};  ///< share that the projection captures; the rest is in `background`; none if
                                         ///< the method does not draw
   std::optional<double> error = {};     ///< estimate of the sum of the absolute errors; none if the method has none

@@ -36,8 +36,8 @@ std::optional<double> numberIn(const json& value) {
 }  // namespace
 
 std::string lineOf(const Row& row) {
-  return json{row.receiver,     row.formFactor,       row.standardError, orNull(row.background),
-              orNull(row.back), orNull(row.captured), orNull(row.error)}
+  return json{row.receiver,        row.formFactor, row.standardError,    orNull(row.background), orNull(row.back),
+              row.backgroundError, row.backError,  orNull(row.captured), orNull(row.error)}
       .dump();
 }
 
@@ -48,8 +48,10 @@ Row rowOf(const std::string& line) {
           row[2].get<std::vector<double>>(),
           numberIn(row[3]),
           numberIn(row[4]),
-          numberIn(row[5]),
-          numberIn(row[6])};
+          row[5].get<double>(),
+          row[6].get<double>(),
+          numberIn(row[7]),
+          numberIn(row[8])};
 }
 
 RowFile::RowFile(const std::filesystem::path& output, const std::vector<std::filesystem::path>& inputs,

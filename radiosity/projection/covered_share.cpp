@@ -13,14 +13,23 @@ struct ClippedTriangle {
   std::size_t count = 0;
 };
 
-/// The triangle in the coordinates of a face, with w in z, clipped at the near distance.
+/// The triangle in the coordinates of a face, with w in z, clipped at the near distance. Empty if the triangle lies
+/// behind that distance or completely beside one side of the viewport.
 ClippedTriangle clippedBy(const raster::Face& face, const std::array<glm::dvec3, 3>& corners) {
-  std::array<glm::dvec3, 3> seen;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const glm::dvec3 d = corners[k] - glm::dvec3(face.eye);
-    seen[k] = {glm::dot(glm::dvec3(face.x), d), glm::dot(glm::dvec3(face.y), d), glm::dot(glm::dvec3(face.w), d)};
-  }
+  const glm::dvec3 eye(face.eye), x(face.x), y(face.y), w(face.w);
   const double near = face.nearDistance;
+  std::array<glm::dvec3, 3> seen;
+  const auto all = [&](const auto& isOutside) {
+    return isOutside(seen[0]) && isOutside(seen[1]) && isOutside(seen[2]);
+  };
+  for (std::size_t k = 0; k < 3; ++k) seen[k].z = glm::dot(w, corners[k] - eye);
+  if (all([&](const glm::dvec3& c) { return c.z < near; })) return {};
+  for (std::size_t k = 0; k < 3; ++k) seen[k].x = glm::dot(x, corners[k] - eye);
+  if (all([](const glm::dvec3& c) { return c.x > c.z; }) || all([](const glm::dvec3& c) { return c.x < -c.z; }))
+    return {};
+  for (std::size_t k = 0; k < 3; ++k) seen[k].y = glm::dot(y, corners[k] - eye);
+  if (all([](const glm::dvec3& c) { return c.y > c.z; }) || all([](const glm::dvec3& c) { return c.y < -c.z; }))
+    return {};
   ClippedTriangle clipped;
   for (std::size_t k = 0; k < 3; ++k) {
     const glm::dvec3 &a = seen[k], &b = seen[(k + 1) % 3];
@@ -28,16 +37,6 @@ ClippedTriangle clippedBy(const raster::Face& face, const std::array<glm::dvec3,
     if ((a.z >= near) != (b.z >= near)) clipped.corners[clipped.count++] = a + (near - a.z) / (b.z - a.z) * (b - a);
   }
   return clipped;
-}
-
-/// Whether the polygon lies completely beside one side of the viewport.
-bool isBeside(const ClippedTriangle& polygon) {
-  const auto all = [&](const auto& isOutside) {
-    return std::all_of(polygon.corners.begin(), polygon.corners.begin() + static_cast<std::ptrdiff_t>(polygon.count),
-                       isOutside);
-  };
-  return all([](const glm::dvec3& c) { return c.x > c.z; }) || all([](const glm::dvec3& c) { return c.x < -c.z; }) ||
-         all([](const glm::dvec3& c) { return c.y > c.z; }) || all([](const glm::dvec3& c) { return c.y < -c.z; });
 }
 
 /// An edge as a line x = start + slope y over the rows whose centres it crosses.
@@ -102,8 +101,7 @@ double coveredShare(const Projection& projection, std::span<const raster::Face> 
   std::uint64_t sum = 0;
   for (std::size_t f = 0; f < faces.size(); ++f) {
     const ClippedTriangle polygon = clippedBy(faces[f], corners);
-    if (polygon.count >= 3 && !isBeside(polygon))
-      sum += shareOn(faces[f], projection.sharesBefore[projection.faces[f].shares], polygon);
+    if (polygon.count >= 3) sum += shareOn(faces[f], projection.sharesBefore[projection.faces[f].shares], polygon);
   }
   return formFactor(sum);
 }

@@ -89,19 +89,38 @@ constexpr std::array<RulePoint, 7> sevenPoints{{{third, third, third, 0.225},
                                                 {q, 1 - 2 * q, q, qShare},
                                                 {q, q, 1 - 2 * q, qShare}}};
 
+/// Calls visit(point, area) for the points of a rule over a polygon.
+template <typename Visit>
+void forEachPoint(const ConvexPart& polygon, std::span<const RulePoint> rule, const Visit& visit) {
+  for (std::size_t k = 2; k < polygon.count; ++k) {
+    const TriangleCorners triangle{polygon.corners[0], polygon.corners[k - 1], polygon.corners[k]};
+    const double area = glm::length(areaVector(triangle));
+    for (const RulePoint& point : rule)
+      visit(point.a * triangle[0] + point.b * triangle[1] + point.c * triangle[2], area * point.share);
+  }
+}
+
 /// The integral over a polygon of the form factor from its points to another polygon.
 double integralOver(const ConvexPart& from, const glm::dvec3& normal, const ConvexPart& to,
                     std::span<const RulePoint> rule) {
   double sum = 0;
-  for (std::size_t k = 2; k < from.count; ++k) {
-    const TriangleCorners triangle{from.corners[0], from.corners[k - 1], from.corners[k]};
-    double mean = 0;
-    for (const RulePoint& point : rule)
-      mean +=
-          point.share * fromPoint(point.a * triangle[0] + point.b * triangle[1] + point.c * triangle[2], normal, to);
-    sum += glm::length(areaVector(triangle)) * mean;
-  }
+  forEachPoint(from, rule, [&](const glm::dvec3& point, double share) { sum += share * fromPoint(point, normal, to); });
   return sum;
+}
+
+/// The integral over two distant polygons of cos cos / (pi r^2).
+double integralOverBoth(const ConvexPart& from, const glm::dvec3& fromNormal, const ConvexPart& to,
+                        const glm::dvec3& toNormal) {
+  double sum = 0;
+  forEachPoint(from, threePoints, [&](const glm::dvec3& start, double fromShare) {
+    forEachPoint(to, threePoints, [&](const glm::dvec3& end, double toShare) {
+      const glm::dvec3 way = end - start;
+      const double squared = glm::dot(way, way);
+      const double cosines = glm::dot(fromNormal, way) * -glm::dot(toNormal, way);
+      sum += fromShare * toShare * std::max(cosines, 0.0) / (squared * squared);
+    });
+  });
+  return sum * std::numbers::inv_pi;
 }
 
 }  // namespace
@@ -118,6 +137,8 @@ double quickFormFactor(const TriangleCorners& from, const TriangleCorners& to) {
   const double smaller = std::min(fromRadius, toRadius);
   const double gap = glm::distance(fromMiddle, toMiddle) - fromRadius - toRadius;
   if (gap < smaller) return polygonToPolygon(from, to);
+  if (gap > 6 * std::max(fromRadius, toRadius))
+    return integralOverBoth(fromFront, fromNormal, toFront, toNormal) / area;
   const std::span<const RulePoint> rule =
       gap > 6 * smaller ? std::span<const RulePoint>(threePoints) : std::span<const RulePoint>(sevenPoints);
   const double integral = fromIsSmaller ? integralOver(fromFront, fromNormal, toFront, rule)

@@ -24,6 +24,9 @@ constexpr double fewestPixels = 4;
 /// The error of the mean over both sets of points, per difference between them; measured on cities and rooms.
 constexpr double errorPerDifference = 1.5;
 
+/// The relative error of the closed form (quick_form_factor.h).
+constexpr double closedFormError = 1e-4;
+
 int resolutionFor(double maxError) { return maxError >= 0.005 ? 64 : 128; }
 
 /// The points of a facet: two sets, each of the centroids of the n^2 equal parts of its triangles. Parts are divided
@@ -88,7 +91,7 @@ class FacetFormFactors::Worker {
 
   FacetRow row(std::uint32_t facet) {
     views_.clear();
-    background_ = backs_ = 0;
+    background_ = backs_ = {};
     weights_ = {};
     std::array<int, 2> divisions{};
     FacetRow row;
@@ -128,8 +131,8 @@ class FacetFormFactors::Worker {
       if (sums.seen[0] + sums.seen[1] == 0) touched_.push_back(seen);
       sums.seen[set] += weight * formFactor(row.shares[i]);
     }
-    background_ += weight * formFactor(row.background);
-    backs_ += weight * formFactor(row.back);
+    background_[set] += weight * formFactor(row.background);
+    backs_[set] += weight * formFactor(row.back);
     weights_[set] += weight;
   }
 
@@ -148,33 +151,46 @@ class FacetFormFactors::Worker {
     }
   }
 
+  /// The difference of the shares that both sets of points measure.
+  double differenceOf(const std::array<double, 2>& sums) const {
+    return std::abs(sums[0] / weights_[0] - sums[1] / weights_[1]);
+  }
+
   FacetRow rowOf(std::uint32_t facet) {
     const double weight = weights_[0] + weights_[1];
     std::sort(touched_.begin(), touched_.end());
-    FacetRow row{
-        .surroundings = background_ / weight, .backs = backs_ / weight, .points = static_cast<int>(views_.size())};
+    const auto share = [&](const std::array<double, 2>& sums) { return (sums[0] + sums[1]) / weight; };
+    const auto errorOf = [&](const std::array<double, 2>& sums) { return errorPerDifference * differenceOf(sums); };
+    FacetRow row{.surroundings = share(background_),
+                 .backs = share(backs_),
+                 .surroundingsError = static_cast<float>(errorOf(background_)),
+                 .backsError = static_cast<float>(errorOf(backs_)),
+                 .error = errorPerDifference * poleShare_,
+                 .points = static_cast<int>(views_.size())};
     double certain = 0, uncertain = row.surroundings + row.backs;
     std::vector<bool> isCertain;
     for (const std::uint32_t f : touched_) {
       FacetSums& sums = sums_[f];
       const double seen = sums.seen[0] + sums.seen[1], covered = sums.covered[0] + sums.covered[1];
-      double factor = seen / weight, difference = std::abs(sums.seen[0] / weights_[0] - sums.seen[1] / weights_[1]);
+      double factor = seen / weight, error = errorOf(sums.seen);
       bool isWhole = false;
       if (covered > fewestPixels * poleShare_ * weight / static_cast<double>(views_.size())) {
         if (sums.unblocked < 0) sums.unblocked = quickFormFactor(scene_.surfaces[facet], scene_.surfaces[f]);
         const double part = visiblePart(seen, covered);
         isWhole = part > wholeVisible;
         factor = sums.unblocked * (isWhole ? 1.0 : part);
-        difference = isWhole ? 0
-                             : sums.unblocked * std::abs(visiblePart(sums.seen[0], sums.covered[0]) -
-                                                         visiblePart(sums.seen[1], sums.covered[1]));
+        const double difference =
+            isWhole ? 0
+                    : std::abs(visiblePart(sums.seen[0], sums.covered[0]) - visiblePart(sums.seen[1], sums.covered[1]));
+        error = sums.unblocked * std::max(errorPerDifference * difference, closedFormError);
       }
       if (factor <= 0) continue;
       row.facets.push_back(f);
       row.factors.push_back(factor);
       isCertain.push_back(isWhole);
       (isWhole ? certain : uncertain) += factor;
-      row.error += errorPerDifference * difference;
+      row.errors.push_back(static_cast<float>(error));
+      row.error += error;
     }
     close(row, isCertain, certain, uncertain);
     return row;
@@ -205,7 +221,7 @@ class FacetFormFactors::Worker {
   std::vector<std::uint32_t> touched_;  ///< the facets that the present row sees
   std::vector<WeightedView> views_;     ///< of the present row
   std::array<double, 2> weights_{};     ///< of the views of both sets
-  double background_ = 0, backs_ = 0;   ///< sums over the views
+  std::array<double, 2> background_{}, backs_{};
   double poleShare_;
 };
 

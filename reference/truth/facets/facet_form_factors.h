@@ -30,10 +30,13 @@ namespace hemitex::reference {
 struct FacetRow {
   std::vector<std::uint32_t> facets = {};  ///< ascending
   std::vector<double> factors = {};        ///< one per facet, in (0, 1]
+  std::vector<float> errors = {};          ///< estimated absolute error of each factor
   double surroundings = 0;                 ///< share that meets nothing
   double backs = 0;                        ///< share that meets backs of facets; the sum of all shares is 1
-  double error = 0;                        ///< estimate of the sum over facets of the absolute errors
-  int points = 0;                          ///< from which hemicubes were drawn
+  float surroundingsError = 0, backsError = 0;
+  double error = 0;  ///< estimate of the sum over facets of the absolute errors: the sum of `errors`, and what facets
+                     ///< smaller than a pixel may receive
+  int points = 0;    ///< from which hemicubes were drawn
 };
 
 struct FacetRowSettings {

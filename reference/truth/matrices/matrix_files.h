@@ -23,8 +23,8 @@ MatrixFile readMatrix(const std::filesystem::path& file);
 bool isMatrixFile(const std::filesystem::path& file);
 
 /// Writes a matrix row by row, and keeps no entries in memory. What it writes is complete after `finish` alone, so the
-/// file should have a temporary name until then. NPZ files also need room for two files with the same name and
-/// `.indices` and `.data` behind it.
+/// file should have a temporary name until then. NPZ files also need room for files with the same name and
+/// `.indices`, `.data` and `.error` behind it.
 class MatrixWriter {
  public:
   /// Throws InputError if the format is not written, or the file cannot be.

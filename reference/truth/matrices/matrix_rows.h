@@ -14,6 +14,7 @@ namespace hemitex::reference {
 struct MatrixHeading {
   std::vector<double> area;             ///< one per facet, in squared units of the scene
   std::vector<std::string> names = {};  ///< one per facet; empty if facets are known by their numbers
+  bool hasErrors = false;               ///< whether each row has the errors of its entries (SparseMatrix::error)
 
   std::size_t facets() const { return area.size(); }
   std::uint64_t columns() const { return std::uint64_t{area.size()} + 2; }

@@ -95,9 +95,10 @@ class Member {
     if (header_.type == "<u8") return converted<Value, std::uint64_t>();
     fail("has the type " + header_.type + "; integers of 4 or 8 bytes are read");
   }
-  std::vector<double> numbers() {
-    if (header_.type == "<f8") return values<double>();
-    if (header_.type == "<f4") return converted<double, float>();
+  template <typename Value = double>
+  std::vector<Value> numbers() {
+    if (header_.type == "<f8") return converted<Value, double>();
+    if (header_.type == "<f4") return converted<Value, float>();
     fail("has the type " + header_.type + "; floating point of 4 or 8 bytes is read");
   }
   /// A single text, of bytes or of UTF-32, without its padding.
@@ -198,12 +199,15 @@ class NpzSink : public RowSink {
       : file_(file),
         heading_(heading),
         indices_(beside(file, ".indices"), "<i4", sizeof(std::uint32_t)),
-        data_(beside(file, ".data"), "<f8", sizeof(double)) {}
+        data_(beside(file, ".data"), "<f8", sizeof(double)) {
+    if (heading.hasErrors) error_.emplace(beside(file, ".error"), "<f4", sizeof(float));
+  }
   ~NpzSink() override { removeSpools(); }
 
   void write(const SparseRow& row) override {
     indices_.write(row.column);
     data_.write(row.value);
+    if (error_) error_->write(row.error);
     rowStart_.push_back(rowStart_.back() + static_cast<std::int64_t>(row.value.size()));
   }
 
@@ -211,6 +215,7 @@ class NpzSink : public RowSink {
   void finish() override {
     indices_.finish();
     data_.finish();
+    if (error_) error_->finish();
     archive_ = openArchive(file_, ZIP_CREATE | ZIP_TRUNCATE);
     addFile("indices", indices_.file());
     if (rowStart_.back() <= std::numeric_limits<std::int32_t>::max())
@@ -220,6 +225,7 @@ class NpzSink : public RowSink {
     addText("format", "csr");
     addArray("shape", "<i8", std::vector<std::uint64_t>{heading_.facets(), heading_.columns()});
     addFile("data", data_.file());
+    if (error_) addFile("error", error_->file());
     addArray("area", "<f8", heading_.area);
     addText("about", aboutMatrix(heading_));
     if (zip_close(archive_.get()) != 0) fail();
@@ -231,6 +237,7 @@ class NpzSink : public RowSink {
   void removeSpools() const {
     std::error_code ignored;
     for (const SpooledArray* array : {&indices_, &data_}) std::filesystem::remove(array->file(), ignored);
+    if (error_) std::filesystem::remove(error_->file(), ignored);
   }
   void addArray(const std::string& name, const std::string& type, const auto& values) {
     addBytes(name, toBytes({type, {values.size()}}) + bytesOf(values));
@@ -266,6 +273,7 @@ class NpzSink : public RowSink {
   std::filesystem::path file_;
   MatrixHeading heading_;
   SpooledArray indices_, data_;
+  std::optional<SpooledArray> error_;
   std::vector<std::int64_t> rowStart_{0};
   std::vector<std::unique_ptr<std::string>> members_;  ///< libzip reads them when it closes the archive
   Archive archive_;
@@ -281,6 +289,7 @@ std::string aboutMatrix(const MatrixHeading& heading) {
       {"column_backs", heading.facets() + 1},
       {"surroundings", "share that meets nothing"},
       {"backs", "share that meets backs of facets"}};
+  if (heading.hasErrors) about["error"] = "estimated absolute error of each entry of data";
   if (!heading.names.empty()) about["names"] = heading.names;
   return about.dump(-1, ' ', true, nlohmann::ordered_json::error_handler_t::replace);
 }
@@ -302,6 +311,7 @@ MatrixFile readNpz(const std::filesystem::path& file) {
                              "has " + std::to_string(result.matrix.rowStart.size()) + " starts of rows for " +
                                  std::to_string(shape[0]) + " rows",
                              saveAgain);
+  if (zip_name_locate(archive.get(), "error.npy", 0) >= 0) result.matrix.error = member("error").numbers<float>();
   checkAndSort(result.matrix, file.string());
   if (zip_name_locate(archive.get(), "area.npy", 0) >= 0) {
     result.area = member("area").numbers();

@@ -1,6 +1,7 @@
 /// Sparse matrices in `.npz` files, as SciPy's save_npz writes and load_npz reads them: a ZIP archive of the arrays
 /// `indices`, `indptr`, `format`, `shape` and `data`. SciPy ignores other arrays. The writer adds `area`, one number
-/// per facet, and `about`, a text in JSON with the meaning of the columns and the names of facets.
+/// per facet, and `about`, a text in JSON with the meaning of the columns and the names of facets. If errors are known
+/// it adds `error`, one number per entry of `data`.
 #pragma once
 
 #include <filesystem>
@@ -11,7 +12,7 @@
 
 namespace hemitex::reference {
 
-/// Reads a matrix, whose members may be stored or deflated, and the areas of facets if they are in the file. Throws
+/// Reads a matrix, whose members may be stored or deflated, and errors and areas if they are in the file. Throws
 /// InputError for other formats than compressed rows, other types than integers of 4 or 8 bytes and floating point of 4
 /// or 8 bytes, damaged archives, and as checkAndSort.
 MatrixFile readNpz(const std::filesystem::path& file);

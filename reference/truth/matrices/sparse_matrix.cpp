@@ -23,17 +23,22 @@ void sortRow(SparseMatrix& matrix, std::size_t begin, std::size_t end) {
   std::iota(order.begin(), order.end(), begin);
   std::sort(order.begin(), order.end(),
             [&](std::size_t a, std::size_t b) { return matrix.column[a] < matrix.column[b]; });
-  std::vector<std::pair<std::uint32_t, double>> sorted;
-  for (const std::size_t i : order) sorted.emplace_back(matrix.column[i], matrix.value[i]);
-  for (std::size_t i = 0; i < sorted.size(); ++i)
-    std::tie(matrix.column[begin + i], matrix.value[begin + i]) = sorted[i];
+  const auto reorder = [&](auto& values) {
+    const std::vector before(values.begin() + static_cast<std::ptrdiff_t>(begin),
+                             values.begin() + static_cast<std::ptrdiff_t>(end));
+    for (std::size_t i = 0; i < order.size(); ++i) values[begin + i] = before[order[i] - begin];
+  };
+  reorder(matrix.column);
+  reorder(matrix.value);
+  if (!matrix.error.empty()) reorder(matrix.error);
 }
 
 }  // namespace
 
 SparseRow SparseMatrix::row(std::size_t r) const {
   const std::size_t begin = rowStart[r], count = rowStart[r + 1] - begin;
-  return {std::span(column).subspan(begin, count), std::span(value).subspan(begin, count)};
+  return {std::span(column).subspan(begin, count), std::span(value).subspan(begin, count),
+          error.empty() ? std::span<const float>() : std::span(error).subspan(begin, count)};
 }
 
 void SparseMatrix::append(const SparseRow& row) {
@@ -41,6 +46,7 @@ void SparseMatrix::append(const SparseRow& row) {
     if (row.value[i] == 0) continue;
     column.push_back(row.column[i]);
     value.push_back(row.value[i]);
+    if (!row.error.empty()) error.push_back(row.error[i]);
   }
   rowStart.push_back(value.size());
 }
@@ -70,6 +76,9 @@ void checkAndSort(SparseMatrix& matrix, const std::string& file) {
   if (matrix.column.size() != matrix.value.size())
     fail(file, "there are " + std::to_string(matrix.column.size()) + " columns for " +
                    std::to_string(matrix.value.size()) + " values");
+  if (!matrix.error.empty() && matrix.error.size() != matrix.value.size())
+    fail(file, "there are " + std::to_string(matrix.error.size()) + " errors for " +
+                   std::to_string(matrix.value.size()) + " values");
   if (matrix.rowStart.empty() || matrix.rowStart.front() != 0 || matrix.rowStart.back() != matrix.value.size())
     fail(file, "the starts of rows do not lead from 0 to the number of entries");
   if (const auto end = std::is_sorted_until(matrix.rowStart.begin(), matrix.rowStart.end());
@@ -88,6 +97,11 @@ void checkAndSort(SparseMatrix& matrix, const std::string& file) {
       if (!std::isfinite(matrix.value[i]))
         fail(file,
              "row " + std::to_string(r) + ", column " + std::to_string(matrix.column[i]) + " is not a finite number");
+    if (!matrix.error.empty())
+      for (std::size_t i = begin; i < end; ++i)
+        if (!std::isfinite(matrix.error[i]) || matrix.error[i] < 0)
+          fail(file, "row " + std::to_string(r) + ", column " + std::to_string(matrix.column[i]) +
+                         " has an error that is not a finite number of at least 0");
   }
 }
 

@@ -17,6 +17,7 @@ namespace hemitex::reference {
 struct SparseRow {
   std::span<const std::uint32_t> column = {};
   std::span<const double> value = {};
+  std::span<const float> error = {};  ///< as SparseMatrix::error
 };
 
 /// Row r has the entries [rowStart[r], rowStart[r + 1]) of `column` and `value`. Columns of a row ascend.
@@ -25,10 +26,11 @@ struct SparseMatrix {
   std::vector<std::uint64_t> rowStart{0};  ///< one more than there are rows
   std::vector<std::uint32_t> column = {};
   std::vector<double> value = {};
+  std::vector<float> error = {};  ///< estimated absolute error of each entry; empty if errors are not known
 
   std::size_t rows() const { return rowStart.size() - 1; }
   SparseRow row(std::size_t r) const;
-  /// Appends a row. Entries of value 0 are left out.
+  /// Appends a row. Entries of value 0 are left out. All rows have errors, or none has.
   void append(const SparseRow& row);
   bool operator==(const SparseMatrix&) const = default;
 };
