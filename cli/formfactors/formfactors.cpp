@@ -16,6 +16,7 @@
 #include "cli/common/table.h"
 #include "cli/formfactors/methods.h"
 #include "cli/formfactors/row_file.h"
+#include "cli/formfactors/symmetry_options.h"
 #include "cli/scene/scene_hash.h"
 #include "cli/scene/scene_options.h"
 #include "cli/scene/surface_names.h"
@@ -44,6 +45,7 @@ struct FormFactorOptions {
   bool smooth = false;
   bool facets = false;
   std::optional<double> maxError;
+  radiosity::Symmetry symmetry;
   std::filesystem::path output;  ///< empty: standard output
 };
 
@@ -61,8 +63,8 @@ RowMethod methodOf(const FormFactorOptions& options, const radiosity::Scene& sce
   return drawnMethod(scene, discretization, receivers, options.id, options.drawing, context.console);
 }
 
-/// The settings that the JSON output repeats.
-nlohmann::ordered_json settingsOf(const FormFactorOptions& options) {
+/// The settings of the method that the JSON output repeats.
+nlohmann::ordered_json methodSettings(const FormFactorOptions& options) {
   if (options.method == "rays")
     return {{"method", options.method},
             {"samples", options.rays.samples},
@@ -72,6 +74,13 @@ nlohmann::ordered_json settingsOf(const FormFactorOptions& options) {
   if (options.maxError) return {{"method", options.method}, {"max_error", *options.maxError}};
   nlohmann::ordered_json settings{{"method", options.method}};
   settings.update(toJson(options.drawing));
+  return settings;
+}
+
+/// The settings that the JSON output repeats.
+nlohmann::ordered_json settingsOf(const FormFactorOptions& options) {
+  nlohmann::ordered_json settings = methodSettings(options);
+  if (!options.symmetry.isNone()) settings["symmetry"] = toJson(options.symmetry);
   return settings;
 }
 
@@ -116,7 +125,7 @@ void printRow(const FormFactorOptions& options, Context& context, const radiosit
   const Source source = sourceNamed(scene, discretization, options.from);
   const Families families = familiesOf(scene);
   const Receivers receivers =
-      options.bySurface ? familiesAsReceivers(discretization, families) : elementsAsReceivers(discretization);
+      options.bySurface ? familiesAsReceivers(scene, discretization, families) : elementsAsReceivers(discretization);
   const std::vector<Row> rows{methodOf(options, scene, discretization, receivers, context)(source)};
   const Row& row = rows.front();
   tellCaptured(row, context.console);
@@ -327,7 +336,7 @@ nlohmann::ordered_json tellMoves(const reference::SmoothingMoves& moves, bool ha
 void writeMatrix(const FormFactorOptions& options, Context& context, const radiosity::Scene& scene,
                  const radiosity::Discretization& discretization) {
   const Families families = options.scene.settings.facets ? facetsOf(scene) : familiesOf(scene);
-  const Receivers receivers = familiesAsReceivers(discretization, families);
+  const Receivers receivers = familiesAsReceivers(scene, discretization, families);
   const std::string description = std::filesystem::path(options.output).replace_extension(".json").filename();
   const std::unique_ptr<RowFile> file = rowFileOf(options, context, scene, {description});
   const RowMethod rowFrom = methodOf(options, scene, discretization, receivers, context);
@@ -353,7 +362,7 @@ void writeMatrix(const FormFactorOptions& options, Context& context, const radio
 void printMatrix(const FormFactorOptions& options, Context& context, const radiosity::Scene& scene,
                  const radiosity::Discretization& discretization) {
   const Families families = familiesOf(scene);
-  const Receivers receivers = familiesAsReceivers(discretization, families);
+  const Receivers receivers = familiesAsReceivers(scene, discretization, families);
   const std::unique_ptr<RowFile> file = rowFileOf(options, context, scene);
   const RowMethod rowFrom = methodOf(options, scene, discretization, receivers, context);
   std::vector<Row> matrix;
@@ -390,7 +399,8 @@ void printMatrix(const FormFactorOptions& options, Context& context, const radio
 }
 
 void print(const FormFactorOptions& options, Context& context) {
-  const radiosity::Scene scene = sceneOf(options.scene, context.console);
+  radiosity::Scene scene = sceneOf(options.scene, context.console);
+  radiosity::addImages(scene, options.symmetry);
   const radiosity::Discretization discretization = discretizationOf(options.discretization, scene);
   (isSparse(options) ? writeMatrix : options.all ? printMatrix : printRow)(options, context, scene, discretization);
 }
@@ -464,6 +474,7 @@ void addFormFactors(Command program, Context& context) {
       "receivers");
   addDiscretizationOptions(command, options->discretization);
   addIdOptions(command, options->id);
+  addSymmetryOptions(command, options->symmetry);
   addSceneOptions(command, options->scene);
   for (const char* chosen : {"--resolution", "--orientation", "--split", "--pixels-per-element", "--discretize",
                              "--method", "--samples", "--texels", "--texel-size", "--surface"})
@@ -478,6 +489,8 @@ void addFormFactors(Command program, Context& context) {
       usageError("--from", "is required; or print the matrix with --all --by-surface");
     if (options->all && !options->bySurface) requireMatrixFile(*options);
     completeFacets(*options, command);
+    if (!options->symmetry.isNone() && !options->all && !options->bySurface)
+      usageError("--mirror", "and --periodic sum over the images of a surface; add --by-surface or --all");
     if (options->maxError && !(isSparse(*options) && options->scene.settings.facets))
       usageError("--max-error", "bounds the rows of a matrix of facets; add --all --facets -o FILE.npz");
     const auto projection = projectionNamed(options->method);

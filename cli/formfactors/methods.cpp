@@ -23,23 +23,37 @@ using PatchNumbers = std::vector<std::vector<std::uint32_t>>;
 /// Sums of values by receiver, each in the order of its values.
 class ReceiverSums {
  public:
-  void add(std::uint32_t receiver, double value) { values_.emplace_back(receiver, value); }
+  void add(std::uint32_t receiver, double value) { values_.push_back({receiver, value}); }
+  /// With the error of the value. Either all values have one, or none.
+  void add(std::uint32_t receiver, double value, double error) {
+    values_.push_back({receiver, value, error});
+    hasErrors_ = true;
+  }
 
   /// Sets the entries of a row.
   void moveTo(Row& row) {
-    std::stable_sort(values_.begin(), values_.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-    for (const auto& [receiver, value] : values_) {
-      if (row.receiver.empty() || row.receiver.back() != receiver) {
-        row.receiver.push_back(receiver);
+    std::stable_sort(values_.begin(), values_.end(),
+                     [](const Value& a, const Value& b) { return a.receiver < b.receiver; });
+    for (const Value& value : values_) {
+      if (row.receiver.empty() || row.receiver.back() != value.receiver) {
+        row.receiver.push_back(value.receiver);
         row.formFactor.push_back(0);
+        if (hasErrors_) row.standardError.push_back(0);
       }
-      row.formFactor.back() += value;
+      row.formFactor.back() += value.value;
+      if (hasErrors_) row.standardError.back() += value.error;
     }
     values_.clear();
   }
 
  private:
-  std::vector<std::pair<std::uint32_t, double>> values_;
+  struct Value {
+    std::uint32_t receiver = 0;
+    double value = 0, error = 0;
+  };
+
+  std::vector<Value> values_;
+  bool hasErrors_ = false;
 };
 
 /// Adds a row to a mean. The shares of a receiver are integers, whose sum is exact.
@@ -116,7 +130,10 @@ class FacetRows {
  public:
   FacetRows(const radiosity::Scene& scene, const radiosity::Discretization& discretization, double maxError,
             std::size_t blockLength)
-      : count_(scene.surfaces.size()), blockLength_(blockLength), factors_(scene, discretization, {maxError}) {}
+      : count_(static_cast<std::size_t>(std::count_if(scene.surfaces.begin(), scene.surfaces.end(),
+                                                      [](const auto& surface) { return !surface.imageOf; }))),
+        blockLength_(blockLength),
+        factors_(scene, discretization, {maxError}) {}
 
   const reference::FacetRow& row(std::uint32_t facet) {
     if (facet < first_ || facet >= first_ + rows_.size()) {
@@ -129,7 +146,8 @@ class FacetRows {
   }
 
  private:
-  std::size_t count_, blockLength_;
+  std::size_t count_;  ///< of facets; their images follow
+  std::size_t blockLength_;
   reference::FacetFormFactors factors_;
   std::uint32_t first_ = 0;  ///< of the block
   std::vector<reference::FacetRow> rows_;
@@ -160,11 +178,12 @@ Receivers elementsAsReceivers(const radiosity::Discretization& discretization) {
   return receivers;
 }
 
-Receivers familiesAsReceivers(const radiosity::Discretization& discretization, const Families& families) {
+Receivers familiesAsReceivers(const radiosity::Scene& scene, const radiosity::Discretization& discretization,
+                              const Families& families) {
   Receivers receivers{{}, families.ofSurface, std::vector<double>(families.names.size(), 0.0)};
   for (const radiosity::Element& element : discretization.elements) {
     receivers.ofElement.push_back(families.ofSurface[element.surface]);
-    receivers.area[receivers.ofElement.back()] += element.area;
+    if (!scene.surfaces[element.surface].imageOf) receivers.area[receivers.ofElement.back()] += element.area;
   }
   return receivers;
 }
@@ -188,14 +207,15 @@ RowMethod facetMethod(const radiosity::Scene& scene, const radiosity::Discretiza
   const auto rows = std::make_shared<FacetRows>(scene, discretization, maxError, blockLength);
   return [&receivers, rows](const Source& source) {
     const reference::FacetRow& found = rows->row(source.surfaces.front());
-    Row row{.formFactor = found.factors,
-            .standardError = {found.errors.begin(), found.errors.end()},
-            .background = found.surroundings,
+    Row row{.background = found.surroundings,
             .back = found.backs,
             .backgroundError = found.surroundingsError,
             .backError = found.backsError,
             .error = found.error};
-    for (const std::uint32_t surface : found.facets) row.receiver.push_back(receivers.ofSurface[surface]);
+    ReceiverSums sums;
+    for (std::size_t k = 0; k < found.facets.size(); ++k)
+      sums.add(receivers.ofSurface[found.facets[k]], found.factors[k], static_cast<double>(found.errors[k]));
+    sums.moveTo(row);
     return row;
   };
 }

@@ -22,7 +22,8 @@ struct Receivers {
 };
 
 Receivers elementsAsReceivers(const radiosity::Discretization& discretization);
-Receivers familiesAsReceivers(const radiosity::Discretization& discretization, const Families& families);
+Receivers familiesAsReceivers(const radiosity::Scene& scene, const radiosity::Discretization& discretization,
+                              const Families& families);
 
 /// A row of form factors. Receivers that are not seen have no entry.
 struct Row {

@@ -102,7 +102,7 @@ void compare(const MatrixOptions& options, Context& context) {
           file->string(), 0,
           "has " + std::to_string(matrix->rows()) + " rows, and the mesh has " + std::to_string(facets) + " facets",
           "give matrices of this mesh");
-  const std::vector<double> area = familiesAsReceivers(mesh.discretization, mesh.facets).area;
+  const std::vector<double> area = familiesAsReceivers(mesh.scene, mesh.discretization, mesh.facets).area;
   std::vector<Difference> differences;
   double all = 0, apart = 0;
   for (std::size_t f = 0; f < facets; ++f) {

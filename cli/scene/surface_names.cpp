@@ -13,7 +13,8 @@ namespace {
 std::vector<std::uint32_t> find(const radiosity::Scene& scene, const std::string& name) {
   std::vector<std::uint32_t> found;
   for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s)
-    if (scene.surfaces[s].name == name || scene.surfaces[s].family == name) found.push_back(s);
+    if (!scene.surfaces[s].imageOf && (scene.surfaces[s].name == name || scene.surfaces[s].family == name))
+      found.push_back(s);
   return found;
 }
 
@@ -80,7 +81,7 @@ Families familiesOf(const radiosity::Scene& scene) {
       families.names.push_back(name);
       families.surfaces.emplace_back();
     }
-    families.surfaces[known->second].push_back(s);
+    if (!scene.surfaces[s].imageOf) families.surfaces[known->second].push_back(s);
     families.ofSurface.push_back(known->second);
   }
   return families;
@@ -92,7 +93,7 @@ Families facetsOf(const radiosity::Scene& scene) {
   for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s) {
     const std::uint32_t facet = scene.surfaces[s].triangles.front().polygon;
     facets.names[facet] = scene.surfaces[s].family;
-    facets.surfaces[facet].push_back(s);
+    if (!scene.surfaces[s].imageOf) facets.surfaces[facet].push_back(s);
     facets.ofSurface.push_back(facet);
   }
   return facets;

@@ -11,7 +11,7 @@
 
 namespace hemitex::cli {
 
-/// The surfaces with a name, ascending; at least one. Throws InputError with similar names if there is none.
+/// The surfaces with a name, ascending, without images; at least one. Throws InputError with similar names if there is none.
 std::vector<std::uint32_t> surfacesNamed(const radiosity::Scene& scene, const std::string& name);
 
 /// The source of form factors: whole surfaces, or one texel of a surface.
@@ -25,10 +25,10 @@ struct Source {
 Source sourceNamed(const radiosity::Scene& scene, const radiosity::Discretization& discretization,
                    const std::string& text);
 
-/// The families of a scene, in the order of their first surfaces.
+/// The families of a scene, in the order of their first surfaces. An image belongs to the family of its surface.
 struct Families {
   std::vector<std::string> names;
-  std::vector<std::vector<std::uint32_t>> surfaces;  ///< of each family, ascending
+  std::vector<std::vector<std::uint32_t>> surfaces;  ///< of each family, ascending; without images
   std::vector<std::uint32_t> ofSurface;              ///< the family of each surface
 };
 Families familiesOf(const radiosity::Scene& scene);

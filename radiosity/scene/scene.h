@@ -49,6 +49,7 @@ struct Surface {
   std::optional<std::uint32_t> curvedPart = {};
   std::optional<int> twin = {};    ///< of a two-sided surface: the surface of the other side
   std::optional<int> object = {};  ///< in Scene::objects; one without it is an object of its own
+  std::optional<std::uint32_t> imageOf = {};  ///< the surface of which this one is an image (see symmetry.h)
 };
 
 /// A camera that a scene file contains.

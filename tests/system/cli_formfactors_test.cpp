@@ -1,10 +1,12 @@
 /// hemitex formfactors: rows and matrices by each method, and their checks.
 #include <algorithm>
+#include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "reference/base/hashes/sha256.h"
 #include "reference/truth/matrices/matrix_files.h"
@@ -317,6 +319,86 @@ TEST_CASE("hemitex formfactors --facets gives the row of each face of a mesh, an
   CHECK(row.value[0] == Approx(row.value[1]).margin(1e-3));
   const auto lines = linesOf(shell.output("formfactors m.ply --all --by-surface"));
   CHECK(lines.size() == 2);
+}
+
+namespace {
+
+/// A quarter of a room of side 2 with a block in its middle, and its images behind x = 0, z = 0 and both, as one OBJ.
+/// With `images` = 1 the quarter alone. The planes of the mirrors have no faces.
+std::string quarteredRoom(int images) {
+  using Corner = std::array<double, 3>;
+  const std::vector<std::array<Corner, 4>> quads{
+      {{{0, -1, 0}, {0, -1, 1}, {1, -1, 1}, {1, -1, 0}}},            // floor
+      {{{0, 1, 0}, {1, 1, 0}, {1, 1, 1}, {0, 1, 1}}},                // ceiling
+      {{{1, -1, 0}, {1, -1, 1}, {1, 1, 1}, {1, 1, 0}}},              // wall x = 1
+      {{{0, -1, 1}, {0, 1, 1}, {1, 1, 1}, {1, -1, 1}}},              // wall z = 1
+      {{{0, .25, 0}, {0, .25, .5}, {.5, .25, .5}, {.5, .25, 0}}},    // top of the block
+      {{{0, -.5, 0}, {.5, -.5, 0}, {.5, -.5, .5}, {0, -.5, .5}}},    // its bottom
+      {{{.5, -.5, 0}, {.5, .25, 0}, {.5, .25, .5}, {.5, -.5, .5}}},  // its sides
+      {{{0, -.5, .5}, {.5, -.5, .5}, {.5, .25, .5}, {0, .25, .5}}}};
+  std::string text;
+  for (int image = 0; image < images; ++image) {
+    const double x = image % 2 == 1 ? -1 : 1, z = image >= 2 ? -1 : 1;
+    for (const auto& quad : quads) {
+      for (const Corner& corner : quad)
+        text += "v " + std::to_string(x * corner[0]) + ' ' + std::to_string(corner[1]) + ' ' +
+                std::to_string(z * corner[2]) + '\n';
+      text += x * z > 0 ? "f -4 -3 -2 -1\n" : "f -1 -2 -3 -4\n";
+    }
+  }
+  return text;
+}
+
+}  // namespace
+
+TEST_CASE("hemitex formfactors --mirror gives the rows of the whole scene from a quarter of it", "[cli]") {
+  namespace reference = hemitex::reference;
+  const Shell shell;
+  writeAll(shell.file("whole.obj"), quarteredRoom(4));
+  writeAll(shell.file("quarter.obj"), quarteredRoom(1));
+  constexpr std::uint32_t facets = 8;
+  for (const std::string settings : {"--resolution 64 --texels 2", "--max-error 0.1", "--max-error 0.1 --smooth"}) {
+    CAPTURE(settings);
+    shell.output("formfactors whole.obj --all --facets " + settings + " -o W.npz");
+    shell.output("formfactors quarter.obj --all --facets --mirror x=0 --mirror z=0 " + settings + " -o Q.npz");
+    const reference::SparseMatrix whole = reference::readMatrix(shell.file("W.npz")).matrix;
+    const reference::SparseMatrix quarter = reference::readMatrix(shell.file("Q.npz")).matrix;
+    REQUIRE(quarter.rows() == facets);
+    REQUIRE(quarter.columns == facets + 2);
+    // The images come in the same order. Each facet is drawn from the same points, so that drawn rows are equal up to
+    // the order of sums. A smoothed row of the whole room depends on those of its images, which have other directions
+    // of their hemicubes.
+    const double tolerance = settings.ends_with("smooth") ? 5e-3 : 1e-14;
+    for (std::size_t r = 0; r < facets; ++r) {
+      std::vector<double> sums(facets + 2), found(facets + 2);
+      const reference::SparseRow all = whole.row(r), own = quarter.row(r);
+      for (std::size_t k = 0; k < all.column.size(); ++k)
+        sums[all.column[k] < 4 * facets ? all.column[k] % facets : all.column[k] - 3 * facets] += all.value[k];
+      for (std::size_t k = 0; k < own.column.size(); ++k) found[own.column[k]] = own.value[k];
+      for (std::size_t c = 0; c < facets + 2; ++c) CHECK(found[c] == Approx(sums[c]).margin(tolerance));
+    }
+  }
+  const json about = json::parse(readAll(shell.file("Q.json")));
+  CHECK(about["settings"]["symmetry"]["mirrors"]["x"] == json{0});
+}
+
+TEST_CASE("hemitex formfactors --periodic sums over the boxes of a lattice", "[cli]") {
+  // The floor of a box of side 1 and its ceiling, as wide as the box. With 3 repeats the floor sees a ceiling of 7 x 7.
+  const Shell shell;
+  const std::string floor = "o floor\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\no ceiling\n";
+  writeAll(shell.file("box.obj"), floor + "v 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\nf 8 7 6 5\n");
+  writeAll(shell.file("wide.obj"), floor + "v -3 -3 1\nv 4 -3 1\nv 4 4 1\nv -3 4 1\nf 8 7 6 5\n");
+  const auto last = [&](const std::string& command) {
+    return lastNumber(linesOf(shell.output("formfactors " + command)).back());
+  };
+  const double wide = last("wide.obj --from floor --by-surface --method analytic");
+  CHECK(last("box.obj --periodic 1,1,0 --repeats 3 --from floor --by-surface --method analytic") ==
+        Approx(wide).epsilon(1e-9));
+  CHECK(last("box.obj --periodic 1,1,0 --repeats 3 --from floor --by-surface --resolution 256") ==
+        Approx(wide).margin(2e-3));
+  const Outcome outcome = shell.run("formfactors box.obj --periodic 1,1,0 --from floor");
+  CHECK(outcome.exitCode == 2);
+  CHECK_THAT(outcome.err, Contains("add --by-surface or --all"));
 }
 
 TEST_CASE("hemitex formfactors goes on with the rows of a sparse matrix that a killed run left", "[cli]") {

@@ -1,0 +1,28 @@
+/// Scenes that continue behind mirror planes or in periodic boxes: adds images of the surfaces, which are drawn and
+/// seen by the same rules as the surfaces themselves. The form factor to a surface is the sum over its images.
+#pragma once
+
+#include <array>
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "radiosity/scene/scene.h"
+
+namespace hemitex::radiosity {
+
+struct Symmetry {
+  /// The coordinates of the mirror planes across each axis, at most two. Between two planes the images have no end;
+  /// they are repeated with twice the distance as their period.
+  std::array<std::vector<double>, 3> mirrors = {};
+  glm::dvec3 period{0.0};  ///< along each axis, in units of the file; 0: none. Not together with mirrors of this axis
+  int repeats = 4;  ///< images on each side of a box that is repeated. Light that goes farther meets the surroundings
+
+  bool isNone() const;
+};
+
+/// Appends the images to the scene's surfaces (Surface::imageOf), image by image, and measures the bounds again. Throws
+/// InputError if a surface crosses a mirror plane, two planes of an axis are one, an axis has both mirrors and a
+/// period, or there are more than 2^24 surfaces.
+void addImages(Scene& scene, const Symmetry& symmetry);
+
+}  // namespace hemitex::radiosity
