@@ -14,23 +14,29 @@
 #include "cli/common/commands.h"
 #include "cli/common/json.h"
 #include "cli/common/table.h"
-#include "cli/formfactors/methods.h"
 #include "cli/formfactors/row_file.h"
 #include "cli/formfactors/symmetry_options.h"
 #include "cli/scene/scene_hash.h"
 #include "cli/scene/scene_options.h"
-#include "cli/scene/surface_names.h"
+#include "cli/scene/source_names.h"
 #include "radiosity/ranks/shared_tasks.h"
 #include "radiosity/scene/load_scene.h"
+#include "radiosity/scene/surface_names.h"
 #include "raster/base/file_io.h"
 #include "reference/base/hashes/sha256.h"
 #include "reference/truth/matrices/matrix_files.h"
 #include "reference/truth/matrices/npz_file.h"
 #include "reference/truth/matrices/smoothing.h"
+#include "reference/truth/rows/scene_rows.h"
 #include "reference/truth/solution/form_factor_matrix.h"
 
 namespace hemitex::cli {
 namespace {
+
+using radiosity::Families;
+using reference::Row;
+using reference::RowMethod;
+using reference::RowReceivers;
 
 struct FormFactorOptions {
   SceneOptions scene;
@@ -38,7 +44,7 @@ struct FormFactorOptions {
   radiosity::IdSettings id;
   std::string method = "hemicube";
   radiosity::DrawingSettings drawing;
-  RayOptions rays;
+  reference::RayOptions rays;
   std::string from;
   bool bySurface = false;
   bool all = false;
@@ -55,12 +61,13 @@ bool isSparse(const FormFactorOptions& options) { return options.all && !options
 const std::string blockersIgnored = "blockers are not looked at";
 
 RowMethod methodOf(const FormFactorOptions& options, const radiosity::Scene& scene,
-                   const radiosity::Discretization& discretization, const Receivers& receivers, Context& context) {
+                   const radiosity::Discretization& discretization, const RowReceivers& receivers, Context& context) {
   if (options.maxError)
-    return facetMethod(scene, discretization, receivers, *options.maxError, context.ranks ? 1 : 256);
-  if (options.method == "rays") return rayMethod(scene, discretization, receivers, options.rays);
-  if (options.method == "analytic") return analyticMethod(scene, discretization, receivers);
-  return drawnMethod(scene, discretization, receivers, options.id, options.drawing, context.console);
+    return reference::facetMethod(scene, discretization, receivers, *options.maxError, context.ranks ? 1 : 256);
+  if (options.method == "rays") return reference::rayMethod(scene, discretization, receivers, options.rays);
+  if (options.method == "analytic") return reference::analyticMethod(scene, discretization, receivers);
+  return reference::drawnMethod(scene, discretization, receivers, layoutOf(options.id, discretization, context.console),
+                                options.drawing);
 }
 
 /// The settings of the method that the JSON output repeats.
@@ -93,7 +100,7 @@ Table tableOf(const std::vector<Row>& rows, std::size_t receivers, std::vector<s
   if (hasErrors) columns.emplace_back("standard_error");
   const auto cells = [&rows, names, receivers, hasErrors](std::size_t index) {
     const Row& row = rows[index / receivers];
-    const std::optional<std::size_t> entry = entryOf(row, index % receivers);
+    const std::optional<std::size_t> entry = reference::entryOf(row, index % receivers);
     std::vector<Cell> line = names(index);
     line.emplace_back(entry ? row.formFactor[*entry] : 0.0);
     if (hasErrors) line.emplace_back(entry ? row.standardError[*entry] : 0.0);
@@ -122,10 +129,10 @@ void tellCaptured(const Row& row, Console& console) {
 
 void printRow(const FormFactorOptions& options, Context& context, const radiosity::Scene& scene,
               const radiosity::Discretization& discretization) {
-  const Source source = sourceNamed(scene, discretization, options.from);
-  const Families families = familiesOf(scene);
-  const Receivers receivers =
-      options.bySurface ? familiesAsReceivers(scene, discretization, families) : elementsAsReceivers(discretization);
+  const reference::Source source = sourceNamed(scene, discretization, options.from);
+  const Families families = radiosity::familiesOf(scene);
+  const RowReceivers receivers = options.bySurface ? reference::familiesAsReceivers(scene, discretization, families)
+                                                   : reference::elementsAsReceivers(discretization);
   const std::vector<Row> rows{methodOf(options, scene, discretization, receivers, context)(source)};
   const Row& row = rows.front();
   tellCaptured(row, context.console);
@@ -157,7 +164,7 @@ reference::FormFactorMatrix factorsOf(const std::vector<Row>& matrix) {
 }
 
 /// Smooths the rows of a matrix.
-reference::SmoothingMoves smooth(std::vector<Row>& matrix, const Receivers& receivers) {
+reference::SmoothingMoves smooth(std::vector<Row>& matrix, const RowReceivers& receivers) {
   reference::MatrixSmoother smoother(receivers.area);
   for (const Row& row : matrix) {
     const std::vector<float> errors(row.standardError.begin(), row.standardError.end());
@@ -230,7 +237,7 @@ void forEachRow(const RowMethod& rowFrom, const Families& families, RowFile* fil
 }
 
 /// What the matrix says of itself: names only where they are more than numbers.
-reference::MatrixHeading headingOf(const Families& families, const Receivers& receivers) {
+reference::MatrixHeading headingOf(const Families& families, const RowReceivers& receivers) {
   reference::MatrixHeading heading{receivers.area};
   for (std::size_t f = 0; f < families.names.size(); ++f)
     if (families.names[f] != std::to_string(f)) {
@@ -335,8 +342,8 @@ nlohmann::ordered_json tellMoves(const reference::SmoothingMoves& moves, bool ha
 /// Writes the sparse matrix, and the JSON file beside it.
 void writeMatrix(const FormFactorOptions& options, Context& context, const radiosity::Scene& scene,
                  const radiosity::Discretization& discretization) {
-  const Families families = options.scene.settings.facets ? facetsOf(scene) : familiesOf(scene);
-  const Receivers receivers = familiesAsReceivers(scene, discretization, families);
+  const Families families = options.scene.settings.facets ? radiosity::facetsOf(scene) : radiosity::familiesOf(scene);
+  const RowReceivers receivers = reference::familiesAsReceivers(scene, discretization, families);
   const std::string description = std::filesystem::path(options.output).replace_extension(".json").filename();
   const std::unique_ptr<RowFile> file = rowFileOf(options, context, scene, {description});
   const RowMethod rowFrom = methodOf(options, scene, discretization, receivers, context);
@@ -361,8 +368,8 @@ void writeMatrix(const FormFactorOptions& options, Context& context, const radio
 
 void printMatrix(const FormFactorOptions& options, Context& context, const radiosity::Scene& scene,
                  const radiosity::Discretization& discretization) {
-  const Families families = familiesOf(scene);
-  const Receivers receivers = familiesAsReceivers(scene, discretization, families);
+  const Families families = radiosity::familiesOf(scene);
+  const RowReceivers receivers = reference::familiesAsReceivers(scene, discretization, families);
   const std::unique_ptr<RowFile> file = rowFileOf(options, context, scene);
   const RowMethod rowFrom = methodOf(options, scene, discretization, receivers, context);
   std::vector<Row> matrix;

@@ -35,13 +35,13 @@ std::optional<double> numberIn(const json& value) {
 
 }  // namespace
 
-std::string lineOf(const Row& row) {
+std::string lineOf(const reference::Row& row) {
   return json{row.receiver,        row.formFactor, row.standardError,    orNull(row.background), orNull(row.back),
               row.backgroundError, row.backError,  orNull(row.captured), orNull(row.error)}
       .dump();
 }
 
-Row rowOf(const std::string& line) {
+reference::Row rowOf(const std::string& line) {
   const json row = json::parse(line);
   return {row[0].get<std::vector<std::uint32_t>>(),
           row[1].get<std::vector<double>>(),

@@ -10,14 +10,14 @@
 #include <vector>
 
 #include "cli/common/staging.h"
-#include "cli/formfactors/methods.h"
+#include "reference/truth/rows/scene_rows.h"
 
 namespace hemitex::cli {
 
 /// A row as one line of JSON, in full precision, without a line end.
-std::string lineOf(const Row& row);
+std::string lineOf(const reference::Row& row);
 /// Reads what lineOf wrote.
-Row rowOf(const std::string& line);
+reference::Row rowOf(const std::string& line);
 
 /// A file `OUTPUT.part` with the rows that are complete, one line per row behind a line that names the computation.
 /// Each line ends with the hash of its text, so that the tail of a file that was being written is recognized.

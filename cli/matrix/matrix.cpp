@@ -7,13 +7,13 @@
 #include "cli/common/commands.h"
 #include "cli/common/json.h"
 #include "cli/common/table.h"
-#include "cli/formfactors/methods.h"
 #include "cli/scene/scene_options.h"
-#include "cli/scene/surface_names.h"
 #include "radiosity/discretization/discretize.h"
+#include "radiosity/scene/surface_names.h"
 #include "raster/base/input_error.h"
 #include "reference/truth/matrices/matrix_files.h"
 #include "reference/truth/matrices/matrix_judge.h"
+#include "reference/truth/rows/scene_rows.h"
 
 namespace hemitex::cli {
 namespace {
@@ -31,7 +31,7 @@ struct MatrixOptions {
 struct Mesh {
   radiosity::Scene scene;
   radiosity::Discretization discretization;
-  Families facets;
+  radiosity::Families facets;
 };
 
 Mesh meshOf(SceneOptions options, Console& console) {
@@ -39,7 +39,7 @@ Mesh meshOf(SceneOptions options, Console& console) {
   chooseFacets(options.settings, elements);
   Mesh mesh{sceneOf(options, console), {}, {}};
   mesh.discretization = radiosity::discretize(mesh.scene, elements);
-  mesh.facets = facetsOf(mesh.scene);
+  mesh.facets = radiosity::facetsOf(mesh.scene);
   return mesh;
 }
 
@@ -102,7 +102,7 @@ void compare(const MatrixOptions& options, Context& context) {
           file->string(), 0,
           "has " + std::to_string(matrix->rows()) + " rows, and the mesh has " + std::to_string(facets) + " facets",
           "give matrices of this mesh");
-  const std::vector<double> area = familiesAsReceivers(mesh.scene, mesh.discretization, mesh.facets).area;
+  const std::vector<double> area = reference::familiesAsReceivers(mesh.scene, mesh.discretization, mesh.facets).area;
   std::vector<Difference> differences;
   double all = 0, apart = 0;
   for (std::size_t f = 0; f < facets; ++f) {

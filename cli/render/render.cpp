@@ -11,7 +11,7 @@
 #include "cli/scene/camera_options.h"
 #include "cli/scene/scene_options.h"
 #include "cli/scene/sealed_folder.h"
-#include "cli/scene/surface_names.h"
+#include "cli/scene/source_names.h"
 #include "radiosity/discretization/patch_points.h"
 #include "radiosity/index_maps/scene_draw_list.h"
 #include "radiosity/pictures/id_pictures.h"
@@ -157,8 +157,8 @@ Image projectionView(const RenderOptions& options, const Subject& subject, Conso
   const radiosity::Scene& scene = subject.scene;
   const radiosity::Discretization discretization = shownDiscretization(options, subject);
   const radiosity::IdLayout layout = layoutOf(options.id, discretization, console);
-  const Source source =
-      options.from.empty() ? Source{{firstEmitter(scene)}} : sourceNamed(scene, discretization, options.from);
+  const reference::Source source = options.from.empty() ? reference::Source{{firstEmitter(scene)}}
+                                                        : sourceNamed(scene, discretization, options.from);
   const std::uint32_t surface = source.surfaces.front();
   const radiosity::Patch& patch = discretization.patches.list[discretization.grids[surface].firstPatch];
   const radiosity::SurfacePoint point = source.element

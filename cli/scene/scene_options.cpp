@@ -5,9 +5,9 @@
 #include <numeric>
 
 #include "cli/common/json.h"
-#include "cli/scene/surface_names.h"
 #include "radiosity/discretization/discretize.h"
 #include "radiosity/scene/load_scene.h"
+#include "radiosity/scene/surface_names.h"
 #include "raster/base/input_error.h"
 
 namespace hemitex::cli {
@@ -46,7 +46,7 @@ int resolutionOption(const std::string& text) {
 
 /// The names of the three largest families, largest first; of equal ones the first.
 std::vector<std::string> largestFamilies(const radiosity::Scene& scene) {
-  const Families families = familiesOf(scene);
+  const radiosity::Families families = radiosity::familiesOf(scene);
   std::vector<double> areas;
   for (const std::vector<std::uint32_t>& surfaces : families.surfaces) {
     areas.push_back(0);
@@ -153,7 +153,7 @@ void addDiscretizationOptions(Command command, radiosity::DiscretizationSettings
 
 radiosity::Discretization discretizationOf(const radiosity::DiscretizationSettings& settings,
                                            const radiosity::Scene& scene) {
-  for (const auto& [name, texels] : settings.surfaceTexels) surfacesNamed(scene, name);
+  for (const auto& [name, texels] : settings.surfaceTexels) radiosity::surfacesNamed(scene, name);
   return radiosity::discretize(scene, settings);
 }
 

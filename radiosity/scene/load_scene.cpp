@@ -236,17 +236,14 @@ double brightestEmission(const Scene& scene) {
 
 }  // namespace
 
-Scene loadScene(const std::filesystem::path& file, const SceneSettings& settings) {
+Scene makeScene(PolygonMesh mesh, const MaterialSource& materialsNamed, const std::filesystem::path& file,
+                const SceneSettings& settings) {
   if (!(settings.maxReflectance >= 0 && settings.maxReflectance < 1)) {
     throw raster::InputError("the largest reflectance must be at least 0 and below 1");
   }
   if (settings.facets && settings.sides != Sides::One)
     throw raster::InputError("facets have one side each", "leave the other sides out");
-  refuseForeignFormat(file);
   Scene scene;
-  const std::optional<GltfFile> gltf = isGltf(file) ? std::optional(readGltf(file)) : std::nullopt;
-  const MeshFormat* plain = meshFormatOf(file);
-  PolygonMesh mesh = gltf ? gltf->mesh : plain ? readPlainMesh(*plain, file) : readObj(file);
   if (settings.facets) divideIntoFacets(mesh);
   scene.faces = mesh.polygons.size();
   scene.warnings = mesh.warnings;
@@ -255,14 +252,10 @@ Scene loadScene(const std::filesystem::path& file, const SceneSettings& settings
   if (sections.empty()) failEmpty(mesh, file);
 
   const MaterialChoice choice = chooseMaterials(sections);
-  MaterialSet found = gltf ? gltfMaterials(choice.names, *gltf, file, settings)
-                           : findMaterials(choice.names, materialFiles(mesh, file.parent_path()), settings);
-  if (gltf) scene.camera = gltf->camera;
-  if (gltf) scene.up = 1;
+  MaterialSet found = materialsNamed(choice.names);
   scene.materials = std::move(found.materials);
   scene.images = std::move(found.images);
   scene.files = std::move(found.files);
-  scene.files.insert(scene.files.begin(), file);
   std::move(found.warnings.begin(), found.warnings.end(), std::back_inserter(scene.warnings));
 
   for (std::size_t s = 0; s < sections.size(); ++s) {
@@ -275,6 +268,29 @@ Scene loadScene(const std::filesystem::path& file, const SceneSettings& settings
   if (settings.sides == Sides::TwoOfSheets) addBacks(scene, sheetsLitFromBothSides(scene));
   makeNamesUnique(scene.surfaces);
   if (scene.extent < smallestExtent) fail({file}, "the scene is smaller than 1e-18 units", "scale it up");
+  return scene;
+}
+
+Scene loadScene(const std::filesystem::path& file, const SceneSettings& settings) {
+  refuseForeignFormat(file);
+  if (isGltf(file)) {
+    const GltfFile gltf = readGltf(file);
+    const auto materials = [&](const std::vector<std::string>& names) {
+      return gltfMaterials(names, gltf, file, settings);
+    };
+    Scene scene = makeScene(gltf.mesh, materials, file, settings);
+    scene.camera = gltf.camera;
+    scene.up = 1;
+    scene.files.insert(scene.files.begin(), file);
+    return scene;
+  }
+  const MeshFormat* plain = meshFormatOf(file);
+  PolygonMesh mesh = plain ? readPlainMesh(*plain, file) : readObj(file);
+  const auto materials = [&, files = materialFiles(mesh, file.parent_path())](const std::vector<std::string>& names) {
+    return findMaterials(names, files, settings);
+  };
+  Scene scene = makeScene(std::move(mesh), materials, file, settings);
+  scene.files.insert(scene.files.begin(), file);
   return scene;
 }
 

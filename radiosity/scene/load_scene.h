@@ -3,7 +3,12 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
 
+#include "radiosity/meshes/polygon_mesh.h"
+#include "radiosity/scene/materials.h"
 #include "radiosity/scene/scene.h"
 #include "radiosity/scene/scene_settings.h"
 
@@ -19,6 +24,14 @@ namespace hemitex::radiosity {
 /// A face is degenerate if none of its triangles has area (see hasArea). Triangles without area of other faces are
 /// dropped without a warning. A scene without emission is no error here; callers that need light call requireEmission.
 Scene loadScene(const std::filesystem::path& file, const SceneSettings& settings = {});
+
+/// Gives the materials of names, one each (see findMaterials); the empty name stands for faces without a material.
+using MaterialSource = std::function<MaterialSet(const std::vector<std::string>& names)>;
+
+/// The scene of a mesh, as loadScene makes it: sections become surfaces with charts. Messages name `file`. Throws
+/// InputError as loadScene, and what `materialsNamed` throws.
+Scene makeScene(PolygonMesh mesh, const MaterialSource& materialsNamed, const std::filesystem::path& file,
+                const SceneSettings& settings = {});
 
 /// Whether a file has a format of plain meshes, without materials, in which each face counts: all but OBJ and glTF.
 bool isPlainMesh(const std::filesystem::path& file);

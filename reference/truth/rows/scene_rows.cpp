@@ -1,4 +1,4 @@
-#include "cli/formfactors/methods.h"
+#include "reference/truth/rows/scene_rows.h"
 
 #include <algorithm>
 #include <memory>
@@ -8,13 +8,14 @@
 #include "radiosity/discretization/discretize.h"
 #include "radiosity/discretization/patch_points.h"
 #include "radiosity/form_factors/scene_form_factors.h"
+#include "raster/base/input_error.h"
 #include "raster/base/parallel.h"
 #include "reference/truth/closed_forms/merged_pieces.h"
 #include "reference/truth/closed_forms/scene_form_factors.h"
 #include "reference/truth/facets/facet_form_factors.h"
 #include "reference/truth/rays/monte_carlo_form_factors.h"
 
-namespace hemitex::cli {
+namespace hemitex::reference {
 namespace {
 
 /// The numbers of the patches of each surface.
@@ -57,7 +58,7 @@ class ReceiverSums {
 };
 
 /// Adds a row to a mean. The shares of a receiver are integers, whose sum is exact.
-void addRow(Row& mean, ReceiverSums& sums, const radiosity::FormFactorRow& row, const Receivers& receivers,
+void addRow(Row& mean, ReceiverSums& sums, const radiosity::FormFactorRow& row, const RowReceivers& receivers,
             double weight) {
   std::vector<std::pair<std::uint32_t, std::uint64_t>> shares;
   for (std::size_t i = 0; i < row.elements.size(); ++i)
@@ -76,7 +77,7 @@ void addRow(Row& mean, ReceiverSums& sums, const radiosity::FormFactorRow& row, 
 /// The row of an element, from its centre, or of surfaces, averaged over their patches.
 Row meanRow(const radiosity::Scene& scene, const radiosity::Discretization& discretization,
             const PatchNumbers& ofSurfaces, radiosity::ProjectedFormFactors& rows, const Source& source,
-            const Receivers& receivers) {
+            const RowReceivers& receivers) {
   Row mean{.background = 0.0, .back = 0.0, .captured = radiosity::formFactor(rows.projection().captured)};
   ReceiverSums sums;
   if (source.element) {
@@ -101,28 +102,28 @@ Row meanRow(const radiosity::Scene& scene, const radiosity::Discretization& disc
 /// The ray tracer and its geometry. If surfaces are receivers, they have one texel, because fewer pieces are faster.
 struct Rays {
   radiosity::Discretization receiving;
-  reference::Receivers receivers;
-  reference::RayFormFactors formFactors;
-  reference::SurfacePieces shooting;
+  Receivers receivers;
+  RayFormFactors formFactors;
+  SurfacePieces shooting;
 
-  Rays(const radiosity::Scene& scene, const radiosity::Discretization& discretization, const Receivers& asked)
+  Rays(const radiosity::Scene& scene, const radiosity::Discretization& discretization, const RowReceivers& asked)
       : receiving(asked.ofSurface.empty() ? discretization : radiosity::discretize(scene, {.texels = 1})),
         receivers{static_cast<std::uint32_t>(asked.area.size()),
                   asked.ofSurface.empty() ? asked.ofElement : asked.ofSurface},
         formFactors(scene, receiving),
-        shooting(reference::surfacePieces(scene, discretization)) {}
+        shooting(surfacePieces(scene, discretization)) {}
 };
 
 /// The polygons of surfaces and of texels. Closed forms use whole surfaces if possible: fewer pieces with the same
 /// sums.
 struct Polygons {
   radiosity::Discretization whole;
-  reference::SurfacePieces ofWhole, ofTexels;
+  SurfacePieces ofWhole, ofTexels;
 
   Polygons(const radiosity::Scene& scene, const radiosity::Discretization& discretization)
       : whole(radiosity::discretize(scene, {.texels = 1})),
-        ofWhole(reference::mergedPieces(reference::surfacePieces(scene, whole))),
-        ofTexels(reference::mergedPieces(reference::surfacePieces(scene, discretization))) {}
+        ofWhole(mergedPieces(surfacePieces(scene, whole))),
+        ofTexels(mergedPieces(surfacePieces(scene, discretization))) {}
 };
 
 /// Rows of facets, computed in blocks by all threads.
@@ -135,7 +136,7 @@ class FacetRows {
         blockLength_(blockLength),
         factors_(scene, discretization, {maxError}) {}
 
-  const reference::FacetRow& row(std::uint32_t facet) {
+  const FacetRow& row(std::uint32_t facet) {
     if (facet < first_ || facet >= first_ + rows_.size()) {
       first_ = facet;
       rows_.resize(std::min(blockLength_, count_ - facet));
@@ -148,16 +149,16 @@ class FacetRows {
  private:
   std::size_t count_;  ///< of facets; their images follow
   std::size_t blockLength_;
-  reference::FacetFormFactors factors_;
+  FacetFormFactors factors_;
   std::uint32_t first_ = 0;  ///< of the block
-  std::vector<reference::FacetRow> rows_;
+  std::vector<FacetRow> rows_;
 };
 
 std::vector<std::uint32_t> elementsOf(const radiosity::Discretization& discretization, const Source& source) {
   if (source.element) return {*source.element};
   std::vector<std::uint32_t> elements;
   for (const std::uint32_t surface : source.surfaces) {
-    const std::vector<std::uint32_t> own = reference::elementsOfSurface(discretization, surface);
+    const std::vector<std::uint32_t> own = elementsOfSurface(discretization, surface);
     elements.insert(elements.end(), own.begin(), own.end());
   }
   return elements;
@@ -165,22 +166,43 @@ std::vector<std::uint32_t> elementsOf(const radiosity::Discretization& discretiz
 
 }  // namespace
 
+Source texelSource(const radiosity::Scene& scene, const radiosity::Discretization& discretization,
+                   const std::string& name, int column, int row) {
+  const std::vector<std::uint32_t> surfaces = radiosity::surfacesNamed(scene, name);
+  if (surfaces.size() > 1)
+    throw raster::InputError(
+        "`" + raster::excerpt(name) + "` has " + std::to_string(surfaces.size()) + " parts",
+        "give the name of the part with the texel: `" + raster::excerpt(scene.surfaces[surfaces[0]].name) + "`, ...");
+  const radiosity::Grid& grid = discretization.grids[surfaces[0]];
+  const std::string texel = std::to_string(column) + "," + std::to_string(row);
+  if (column < 0 || column >= grid.columns || row < 0 || row >= grid.rows)
+    throw raster::InputError("`" + raster::excerpt(name) + "` has no texel " + texel,
+                             "its grid has " + std::to_string(grid.columns) + " columns and " +
+                                 std::to_string(grid.rows) + " rows, numbered from 0");
+  const auto index =
+      static_cast<std::size_t>(row) * static_cast<std::size_t>(grid.columns) + static_cast<std::size_t>(column);
+  if (!grid.covered[index])
+    throw raster::InputError("texel " + texel + " of `" + raster::excerpt(name) +
+                             "` lies outside the surface; choose another texel");
+  return {surfaces, grid.elementOfTexel[index]};
+}
+
 std::optional<std::size_t> entryOf(const Row& row, std::size_t receiver) {
   const auto place = std::lower_bound(row.receiver.begin(), row.receiver.end(), receiver);
   if (place == row.receiver.end() || *place != receiver) return std::nullopt;
   return static_cast<std::size_t>(place - row.receiver.begin());
 }
 
-Receivers elementsAsReceivers(const radiosity::Discretization& discretization) {
-  Receivers receivers{std::vector<std::uint32_t>(discretization.elements.size()), {}, {}};
+RowReceivers elementsAsReceivers(const radiosity::Discretization& discretization) {
+  RowReceivers receivers{std::vector<std::uint32_t>(discretization.elements.size()), {}, {}};
   std::iota(receivers.ofElement.begin(), receivers.ofElement.end(), 0U);
   for (const radiosity::Element& element : discretization.elements) receivers.area.push_back(element.area);
   return receivers;
 }
 
-Receivers familiesAsReceivers(const radiosity::Scene& scene, const radiosity::Discretization& discretization,
-                              const Families& families) {
-  Receivers receivers{{}, families.ofSurface, std::vector<double>(families.names.size(), 0.0)};
+RowReceivers familiesAsReceivers(const radiosity::Scene& scene, const radiosity::Discretization& discretization,
+                                 const radiosity::Families& families) {
+  RowReceivers receivers{{}, families.ofSurface, std::vector<double>(families.names.size(), 0.0)};
   for (const radiosity::Element& element : discretization.elements) {
     receivers.ofElement.push_back(families.ofSurface[element.surface]);
     if (!scene.surfaces[element.surface].imageOf) receivers.area[receivers.ofElement.back()] += element.area;
@@ -189,11 +211,11 @@ Receivers familiesAsReceivers(const radiosity::Scene& scene, const radiosity::Di
 }
 
 RowMethod drawnMethod(const radiosity::Scene& scene, const radiosity::Discretization& discretization,
-                      const Receivers& receivers, const radiosity::IdSettings& id,
-                      const radiosity::DrawingSettings& settings, Console& console) {
+                      const RowReceivers& receivers, radiosity::IdLayout layout,
+                      const radiosity::DrawingSettings& settings, const radiosity::RendererFactory& makeRenderer) {
   const auto split = std::make_shared<radiosity::Discretization>(discretization);
   const auto drawn =
-      std::make_shared<radiosity::SceneFormFactors>(scene, *split, layoutOf(id, discretization, console), settings);
+      std::make_shared<radiosity::SceneFormFactors>(scene, *split, std::move(layout), settings, makeRenderer);
   split->patches = radiosity::splitAll(std::move(split->patches), drawn->splits());
   const auto patches =
       std::make_shared<PatchNumbers>(radiosity::patchesOfSurfaces(split->patches, split->grids.size()));
@@ -203,10 +225,10 @@ RowMethod drawnMethod(const radiosity::Scene& scene, const radiosity::Discretiza
 }
 
 RowMethod facetMethod(const radiosity::Scene& scene, const radiosity::Discretization& discretization,
-                      const Receivers& receivers, double maxError, std::size_t blockLength) {
+                      const RowReceivers& receivers, double maxError, std::size_t blockLength) {
   const auto rows = std::make_shared<FacetRows>(scene, discretization, maxError, blockLength);
   return [&receivers, rows](const Source& source) {
-    const reference::FacetRow& found = rows->row(source.surfaces.front());
+    const FacetRow& found = rows->row(source.surfaces.front());
     Row row{.background = found.surroundings,
             .back = found.backs,
             .backgroundError = found.surroundingsError,
@@ -221,19 +243,19 @@ RowMethod facetMethod(const radiosity::Scene& scene, const radiosity::Discretiza
 }
 
 RowMethod rayMethod(const radiosity::Scene& scene, const radiosity::Discretization& discretization,
-                    const Receivers& receivers, const RayOptions& options) {
+                    const RowReceivers& receivers, const RayOptions& options) {
   const auto rays = std::make_shared<Rays>(scene, discretization, receivers);
   return [&discretization, rays, options](const Source& source) {
-    const reference::RaySource shooter = reference::areaRaySource(rays->shooting, elementsOf(discretization, source));
-    const auto measure = options.aimed ? &reference::RayFormFactors::aimed : &reference::RayFormFactors::overHemisphere;
-    const reference::MeasuredRow measured =
+    const RaySource shooter = areaRaySource(rays->shooting, elementsOf(discretization, source));
+    const auto measure = options.aimed ? &RayFormFactors::aimed : &RayFormFactors::overHemisphere;
+    const MeasuredRow measured =
         (rays->formFactors.*measure)(shooter, rays->receivers, {.samples = options.samples, .seed = options.seed});
     Row row{.background = measured.background.value,
             .back = measured.back.value,
             .backgroundError = measured.background.standardError,
             .backError = measured.back.standardError};
     for (std::size_t r = 0; r < measured.receivers.size(); ++r) {
-      const reference::Measurement& receiver = measured.receivers[r];
+      const Measurement& receiver = measured.receivers[r];
       if (receiver.value == 0 && receiver.standardError == 0) continue;
       row.receiver.push_back(static_cast<std::uint32_t>(r));
       row.formFactor.push_back(receiver.value);
@@ -244,14 +266,14 @@ RowMethod rayMethod(const radiosity::Scene& scene, const radiosity::Discretizati
 }
 
 RowMethod analyticMethod(const radiosity::Scene& scene, const radiosity::Discretization& discretization,
-                         const Receivers& receivers) {
+                         const RowReceivers& receivers) {
   const auto polygons = std::make_shared<Polygons>(scene, discretization);
   return [&discretization, &receivers, polygons](const Source& source) {
     const bool areElements = receivers.ofSurface.empty();
     const std::vector<double> values =
-        reference::analyticRow(source.element ? polygons->ofTexels : polygons->ofWhole,
-                               elementsOf(source.element ? discretization : polygons->whole, source),
-                               areElements ? polygons->ofTexels : polygons->ofWhole);
+        analyticRow(source.element ? polygons->ofTexels : polygons->ofWhole,
+                    elementsOf(source.element ? discretization : polygons->whole, source),
+                    areElements ? polygons->ofTexels : polygons->ofWhole);
     const std::vector<std::uint32_t>& receiverOf = areElements ? receivers.ofElement : receivers.ofSurface;
     ReceiverSums sums;
     for (std::size_t i = 0; i < values.size(); ++i)
@@ -262,4 +284,4 @@ RowMethod analyticMethod(const radiosity::Scene& scene, const radiosity::Discret
   };
 }
 
-}  // namespace hemitex::cli
+}  // namespace hemitex::reference
