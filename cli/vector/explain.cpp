@@ -1,6 +1,5 @@
 /// `hemitex vector explain` derives the item ID of one pixel by the raster rules, and lists the triangles that cover
 /// it.
-#include <array>
 #include <iostream>
 #include <map>
 #include <memory>
@@ -9,18 +8,13 @@
 #include "cli/common/json.h"
 #include "cli/common/table.h"
 #include "raster/base/input_error.h"
-#include "reference/conformance/trace/pixel_trace.h"
-#include "reference/conformance/vectors/enum_names.h"
 #include "reference/conformance/vectors/vector_file.h"
-#include "reference/conformance/verdict/error_pixel.h"
+#include "reference/conformance/verdict/explanation.h"
 
 namespace hemitex::cli {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using raster::HalfSpace;
-using reference::Derivation;
-using reference::EdgeKind;
 
 struct Pixel {
   std::string face;
@@ -47,52 +41,6 @@ const reference::VectorFace& faceOf(const reference::TestVector& vector, const P
     names += (names.empty() ? "" : ", ") + face.name;
   }
   throw raster::InputError("--pixel: the vector has no face \"" + pixel.face + "\"", "it has " + names);
-}
-
-void requireInside(const raster::Scissor& scissor, const Pixel& pixel) {
-  if (pixel.column >= scissor.column && pixel.column < scissor.column + scissor.width && pixel.row >= scissor.row &&
-      pixel.row < scissor.row + scissor.height)
-    return;
-  throw raster::InputError(
-      "--pixel: the face has no pixel " + std::to_string(pixel.column) + "," + std::to_string(pixel.row),
-      "its first column is " + std::to_string(scissor.column) + ", its first row " + std::to_string(scissor.row) +
-          ", and its size " + std::to_string(scissor.width) + " x " + std::to_string(scissor.height));
-}
-
-Json list(const glm::vec2& v) { return {v.x, v.y}; }
-Json list(const glm::vec3& v) { return {v.x, v.y, v.z}; }
-Json list(const glm::dvec2& v) { return {v.x, v.y}; }
-Json list(const glm::ivec2& v) { return {v.x, v.y}; }
-
-constexpr std::array<reference::Named<HalfSpace>, 5> halfSpaceNames{{{HalfSpace::Near, "near"},
-                                                                     {HalfSpace::Right, "right"},
-                                                                     {HalfSpace::Left, "left"},
-                                                                     {HalfSpace::Top, "top"},
-                                                                     {HalfSpace::Bottom, "bottom"}}};
-constexpr std::array<reference::Named<EdgeKind>, 3> edgeKindNames{
-    {{EdgeKind::Top, "top"}, {EdgeKind::Left, "left"}, {EdgeKind::Other, "other"}}};
-
-Json cornersOf(const Derivation& derivation) {
-  Json corners;
-  for (const reference::DerivedCorner& corner : derivation.corners) {
-    const raster::ViewVertex& view = corner.view;
-    corners.push_back({{"view", {view.x, view.y, view.w}},
-                       {"texcoord", {view.u, view.v}},
-                       {"q", list(corner.q)},
-                       {"snapped", list(corner.snapped)}});
-  }
-  return corners;
-}
-
-Json verticesOf(const Derivation& derivation) {
-  Json vertices;
-  for (const reference::DerivedVertex& vertex : derivation.vertices)
-    vertices.push_back({{"index", vertex.index},
-                        {"position", list(vertex.position)},
-                        {"from_eye", list(vertex.fromEye)},
-                        {"view", list(vertex.view)},
-                        {"texcoord", list(vertex.texcoord)}});
-  return vertices;
 }
 
 /// Where the values of a key come from.
@@ -129,59 +77,6 @@ std::string inLine(const Json& value) {
   return value.is_object() ? text : "(" + text + ")";
 }
 
-/// An object with the keys
-///
-/// - `triangle`, `draw`, `vertices` (`index`, `position`, `from_eye`, `view`, `texcoord`),
-/// - `clip` (`cut_by`, `piece`, `pieces`), `corners` (`view`, `texcoord`, `q`, `snapped`),
-/// - `sample`, `area`, `faces_away`, `edges` (`value`, `kind`), `weights`, `inverse_depth`, `u`, `v`,
-/// - `texel` (`width`, `height`, `position`, `column`, `row`, `index`; null where there is none),
-/// - `sums` (`bits`, `offset`, `texel`, `result`), `word` (the item ID),
-/// - `runner_up` (`triangle`, `draw`, `inverse_depth`, `difference`; null where there is none).
-Json toJson(const Derivation& derivation) {
-  const reference::Fragment& visible = derivation.visible;
-  Json cutBy = Json::array();
-  for (const HalfSpace halfSpace : derivation.cutBy) cutBy.push_back(nameOf(halfSpaceNames, halfSpace));
-  Json edges;
-  for (const reference::DerivedEdge& edge : derivation.edges)
-    edges.push_back({{"value", edge.value}, {"kind", nameOf(edgeKindNames, edge.kind)}});
-  Json sums = Json::array();
-  for (const reference::DerivedSum& sum : derivation.sums)
-    sums.push_back({{"bits", sum.bits}, {"offset", sum.offset}, {"texel", sum.texel}, {"result", sum.result}});
-  Json texel;
-  if (const auto& found = derivation.texel)
-    texel = {{"width", found->width},           {"height", found->height},   {"position", list(found->position)},
-             {"column", visible.texel->column}, {"row", visible.texel->row}, {"index", found->index}};
-  Json runnerUp;
-  if (const auto& other = derivation.runnerUp)
-    runnerUp = {{"triangle", other->drawn.triangle},
-                {"draw", other->drawn.draw},
-                {"inverse_depth", other->inverseDepth},
-                {"difference", other->difference}};
-  return {{"triangle", visible.triangle},
-          {"draw", visible.draw},
-          {"vertices", verticesOf(derivation)},
-          {"clip", {{"cut_by", cutBy}, {"piece", derivation.piece}, {"pieces", derivation.pieces}}},
-          {"corners", cornersOf(derivation)},
-          {"sample", list(derivation.sample)},
-          {"area", derivation.area},
-          {"faces_away", visible.facesAway},
-          {"edges", edges},
-          {"weights", derivation.weights},
-          {"inverse_depth", derivation.inverseDepth},
-          {"u", derivation.coordinates.x},
-          {"v", derivation.coordinates.y},
-          {"texel", texel},
-          {"sums", sums},
-          {"word", visible.id},
-          {"runner_up", runnerUp}};
-}
-
-/// The view of a face.
-Json toJson(const raster::Face& face) {
-  return {{"eye", list(face.eye)}, {"x", list(face.x)},         {"y", list(face.y)},
-          {"w", list(face.w)},     {"near", face.nearDistance}, {"resolution", face.resolution}};
-}
-
 /// A line per key, with the formula of its values; lists of objects take a line per entry.
 std::string toLines(const Json& steps) {
   std::string lines;
@@ -198,50 +93,20 @@ std::string toLines(const Json& steps) {
   return lines;
 }
 
-/// The triangles that cover the pixel, nearest first.
-Json trianglesOf(const std::vector<reference::Fragment>& fragments) {
-  return listOf(fragments, [](const reference::Fragment& fragment) -> Json {
-    const auto texel = [&](int reference::Texel::*side) {
-      return fragment.texel ? Json(*fragment.texel.*side) : Json("");
-    };
-    return {{"triangle", fragment.triangle},
-            {"draw", fragment.draw},
-            {"facing", fragment.facesAway ? "back" : "front"},
-            {"w", 1 / fragment.inverseDepth},
-            {"u", fragment.u},
-            {"v", fragment.v},
-            {"column", texel(&reference::Texel::column)},
-            {"row", texel(&reference::Texel::row)},
-            {"word", fragment.id}};
-  });
-}
-
 void explain(const std::filesystem::path& folder, const Pixel& pixel, const Context& context) {
   const reference::TestVector vector = reference::readVector(folder);
-  const raster::Face& face = faceOf(vector, pixel).face;
-  requireInside(face.scissor, pixel);
-  const auto triangles = reference::screenTriangles(vector.list, face);
-  const auto fragments = reference::fragmentsAt(vector.list, triangles, pixel.column, pixel.row);
-  const auto derivation = reference::derive(vector.list, face, fragments, pixel.column, pixel.row);
-  const raster::ItemId id = derivation ? derivation->visible.id : raster::backgroundId(vector.list.format);
-  const auto draw = derivation ? std::optional(derivation->visible.draw) : std::nullopt;
-  const std::string origin = toText(reference::originOf(vector.list, id, draw));
+  const reference::VectorFace& face = faceOf(vector, pixel);
+  const Json found = reference::explanation(vector, face, pixel.column, pixel.row);
   if (context.json) {
-    std::cout << toText({{"face", pixel.face},
-                         {"column", pixel.column},
-                         {"row", pixel.row},
-                         {"word", id},
-                         {"from", origin},
-                         {"derivation", derivation ? toJson(*derivation) : Json()},
-                         {"triangles", trianglesOf(fragments)}});
+    std::cout << toText(found);
     return;
   }
-  std::cout << "pixel " << pixel.column << ',' << pixel.row << " of " << pixel.face << " holds " << id << ": " << origin
-            << "\n";
-  if (!derivation) return;
-  std::cout << toLines({{"face", toJson(face)}}) << toLines(toJson(*derivation))
+  std::cout << "pixel " << pixel.column << ',' << pixel.row << " of " << pixel.face << " holds " << found["word"]
+            << ": " << found["from"].get<std::string>() << "\n";
+  if (found["derivation"].is_null()) return;
+  std::cout << toLines({{"face", reference::viewOf(face.face)}}) << toLines(found["derivation"])
             << "triangles that cover it, nearest first:\n";
-  writeCsv(std::cout, tableOf(trianglesOf(fragments)));
+  writeCsv(std::cout, tableOf(found["triangles"]));
 }
 
 }  // namespace
