@@ -1,0 +1,296 @@
+#include "python/bindings/form_factors.h"
+
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include <algorithm>
+#include <limits>
+#include <memory>
+#include <numeric>
+#include <utility>
+
+#include "python/bindings/arrays.h"
+#include "python/bindings/renderers.h"
+#include "python/bindings/scenes.h"
+#include "radiosity/discretization/discretize.h"
+#include "radiosity/discretization/patch_points.h"
+#include "radiosity/form_factors/projected_form_factors.h"
+#include "radiosity/index_maps/scene_draw_list.h"
+#include "radiosity/projection/projection_kinds.h"
+#include "reference/truth/closed_forms/polygon_to_polygon.h"
+#include "reference/truth/matrices/matrix_files.h"
+#include "reference/truth/matrices/matrix_judge.h"
+#include "reference/truth/rows/scene_rows.h"
+
+namespace hemitex::python {
+namespace {
+
+using raster::InputError;
+using reference::Row;
+using reference::RowReceivers;
+using namespace py::literals;
+
+using Methods = std::vector<std::pair<std::string, radiosity::ProjectionKind>>;
+const Methods& projections() {
+  using radiosity::ProjectionKind;
+  static const Methods names{{"hemicube", ProjectionKind::Hemicube},
+                             {"single-plane", ProjectionKind::SinglePlane},
+                             {"tetrahedron", ProjectionKind::CubicTetrahedron}};
+  return names;
+}
+
+/// A name, or a tuple (name, column, row).
+reference::Source sourceOf(const Elements& elements, const py::object& source) {
+  if (py::isinstance<py::str>(source)) return {radiosity::surfacesNamed(*elements.scene, textOf(source, "source"))};
+  if (!py::isinstance<py::tuple>(source) || py::len(source) != 3)
+    throw InputError("`source` is neither a name nor (name, column, row)");
+  const auto place = py::reinterpret_borrow<py::tuple>(source);
+  return reference::texelSource(*elements.scene, elements.discretization, textOf(place[0], "source"),
+                                static_cast<int>(integerOf(place[1], "column", -1, 1 << 20)),
+                                static_cast<int>(integerOf(place[2], "row", -1, 1 << 20)));
+}
+
+reference::RowMethod methodOf(const Elements& elements, const RowReceivers& receivers, const Settings& settings,
+                              const py::object& makeRenderer) {
+  const std::string method = settings.text("method").value_or("hemicube");
+  if (const auto maxError = settings.number("max_error", 1e-9, 1)) {
+    if (!elements.facets) throw InputError("`max_error` is for facets", "load the scene with facets=True");
+    return unlocked(
+        [&] { return reference::facetMethod(*elements.scene, elements.discretization, receivers, *maxError, 64); });
+  }
+  if (method == "rays") {
+    reference::RayOptions rays;
+    assign(rays.samples, settings.integer("samples", 64, 1 << 28));
+    rays.seed = static_cast<std::uint32_t>(settings.integer("seed", 0, std::numeric_limits<int>::max()).value_or(0));
+    assign(rays.aimed, settings.flag("aimed"));
+    return unlocked([&] { return reference::rayMethod(*elements.scene, elements.discretization, receivers, rays); });
+  }
+  if (method == "analytic")
+    return unlocked([&] { return reference::analyticMethod(*elements.scene, elements.discretization, receivers); });
+  const radiosity::DrawingSettings drawing = drawingSettings(settings);
+  const radiosity::IdSettings ids = idSettings(settings);
+  const radiosity::RendererFactory renderer = rendererFactory(makeRenderer);
+  return unlocked([&] {
+    return reference::drawnMethod(*elements.scene, elements.discretization, receivers,
+                                  radiosity::layOut(elements.discretization, ids), drawing, renderer);
+  });
+}
+
+/// The shares of a row, 0 where a receiver has no entry.
+std::vector<double> dense(const Row& row, const std::vector<double>& values, std::size_t receivers) {
+  std::vector<double> result(receivers, 0.0);
+  for (std::size_t k = 0; k < values.size(); ++k) result[row.receiver[k]] = values[k];
+  return result;
+}
+
+py::dict formFactorRow(const SharedElements& elements, const py::object& source, const py::dict& given,
+                       const py::object& makeRenderer, py::object progress) {
+  const Settings settings(given);
+  const bool bySurface = settings.flag("by_surface").value_or(false);
+  const radiosity::Families families = familiesOf(*elements);
+  const RowReceivers receivers = bySurface ? reference::familiesAsReceivers(elements->discretization, families)
+                                           : reference::elementsAsReceivers(elements->discretization);
+  const reference::Source from = sourceOf(*elements, source);
+  const reference::RowMethod method = methodOf(*elements, receivers, settings, makeRenderer);
+  Progress told(std::move(progress));
+  const Row row = unlocked([&] { return method(from); });
+  unlocked([&] { told.tell(1); });
+  const std::size_t count = receivers.area.size();
+  return py::dict("form_factor"_a = toArray(dense(row, row.formFactor, count)), "area"_a = toArray(receivers.area),
+                  "names"_a = bySurface ? py::cast(families.names) : py::object(py::none()),
+                  "standard_error"_a = row.standardError.empty()
+                                           ? py::object(py::none())
+                                           : py::object(toArray(dense(row, row.standardError, count))),
+                  "surroundings"_a = row.background, "backs"_a = row.back, "captured"_a = row.captured);
+}
+
+/// Compressed rows as NumPy arrays of SciPy's types.
+py::dict rowsDict(reference::SparseMatrix matrix) {
+  std::vector<std::int64_t> starts(matrix.rowStart.begin(), matrix.rowStart.end());
+  std::vector<std::int64_t> columns(matrix.column.begin(), matrix.column.end());
+  const std::size_t rows = matrix.rows();
+  return py::dict("data"_a = toArray(std::move(matrix.value)), "indices"_a = toArray(std::move(columns)),
+                  "indptr"_a = toArray(std::move(starts)), "shape"_a = py::make_tuple(rows, matrix.columns));
+}
+
+py::dict formFactorMatrix(const SharedElements& elements, const py::dict& given, const py::object& makeRenderer,
+                          py::object progress) {
+  const Settings settings(given);
+  const radiosity::Families families = familiesOf(*elements);
+  const RowReceivers receivers = reference::familiesAsReceivers(elements->discretization, families);
+  const reference::RowMethod method = methodOf(*elements, receivers, settings, makeRenderer);
+  const std::size_t count = families.names.size();
+  reference::SparseMatrix matrix{.columns = count};
+  std::vector<double> surroundings, backs, errors;
+  Progress told(std::move(progress));
+  unlocked([&] {
+    for (std::size_t from = 0; from < count; ++from) {
+      told.tell(static_cast<double>(from) / static_cast<double>(count));
+      const Row row = families.surfaces[from].empty() ? Row() : method({families.surfaces[from]});
+      matrix.append({row.receiver, row.formFactor});
+      surroundings.push_back(row.background.value_or(0));
+      backs.push_back(row.back.value_or(0));
+      const double random = std::accumulate(row.standardError.begin(), row.standardError.end(), 0.0);
+      errors.push_back(row.error.value_or(random));
+    }
+    told.tell(1);
+  });
+  const bool hasErrors = std::any_of(errors.begin(), errors.end(), [](double error) { return error > 0; });
+  py::dict result = rowsDict(std::move(matrix));
+  result["surroundings"] = toArray(std::move(surroundings));
+  result["backs"] = toArray(std::move(backs));
+  result["area"] = toArray(receivers.area);
+  result["error"] = hasErrors ? py::object(toArray(std::move(errors))) : py::object(py::none());
+  result["names"] = families.names;
+  return result;
+}
+
+double polygonFormFactor(const py::object& from, const py::object& to) {
+  const auto polygon = [](const py::object& corners, const char* name) {
+    const Array<double> array = numbers(corners, name, {-1, 3});
+    if (array.length() < 3) throw InputError("`" + std::string(name) + "` has fewer than 3 corners");
+    if (array.length() > 1000) throw InputError("`" + std::string(name) + "` has more than 1000 corners");
+    for (const double coordinate : array.values)
+      if (std::abs(coordinate) > 1e18)
+        throw InputError("`" + std::string(name) + "` has a coordinate above 1e18 in size", "scale it down");
+    return vectorsOf(array);
+  };
+  const std::vector<glm::dvec3> a = polygon(from, "source"), b = polygon(to, "receiver");
+  for (const std::vector<glm::dvec3>* corners : {&a, &b}) {
+    glm::dvec3 normal(0.0);
+    for (std::size_t k = 1; k + 1 < corners->size(); ++k)
+      normal += glm::cross((*corners)[k] - (*corners)[0], (*corners)[k + 1] - (*corners)[0]);
+    if (!(glm::length(normal) > 0)) throw InputError("a polygon has no area");
+  }
+  return unlocked([&] { return reference::polygonToPolygon(a, b); });
+}
+
+py::dict checkMatrix(const SharedElements& facets, const py::object& data, const py::object& indices,
+                     const py::object& indptr, const py::object& columns, const py::dict& given) {
+  const Settings settings(given);
+  reference::JudgeSettings judge;
+  assign(judge.tolerance, settings.number("tolerance", 0, 10));
+  assign(judge.rows, settings.integer("rows", 1, 1 << 20));
+  assign(judge.samples, settings.integer("samples", 64, 1 << 26));
+  const radiosity::Families families = familiesOf(*facets);
+  const auto count = static_cast<std::int64_t>(families.names.size());
+  const Array<double> values = numbers(data, "data", {-1});
+  const Array<std::int64_t> starts = integers(indptr, "indptr", {count + 1}, 0, values.shape[0]);
+  reference::SparseMatrix matrix;
+  matrix.columns = static_cast<std::uint64_t>(integerOf(columns, "columns", count, count + 2));
+  if (matrix.columns == static_cast<std::uint64_t>(count) + 1)
+    throw InputError("the matrix has one column more than the mesh has facets", "give none, or two");
+  const Array<std::int64_t> column = integers(indices, "indices", {values.shape[0]}, 0, matrix.columns - 1);
+  matrix.rowStart.assign(starts.values.begin(), starts.values.end());
+  matrix.column.assign(column.values.begin(), column.values.end());
+  matrix.value.assign(values.values.begin(), values.values.end());
+  const reference::MatrixVerdict verdict = unlocked([&] {
+    reference::checkAndSort(matrix, "the matrix");
+    return reference::judgeMatrix(
+        matrix, {*facets->scene, facets->discretization, families.ofSurface, families.names.size()}, judge);
+  });
+  return py::dict("problems"_a = verdict.problems, "fault"_a = verdict.fault,
+                  "largest_row_sum"_a = verdict.largestRowSum, "reciprocity"_a = verdict.reciprocity,
+                  "difference"_a = verdict.difference, "noise"_a = verdict.noise,
+                  "measured_rows"_a = verdict.measuredRows);
+}
+
+py::dict readMatrix(const std::filesystem::path& file) {
+  reference::MatrixFile found = unlocked([&] { return reference::readMatrix(file); });
+  py::dict result = rowsDict(std::move(found.matrix));
+  result["area"] = found.area.empty() ? py::object(py::none()) : py::object(toArray(std::move(found.area)));
+  return result;
+}
+
+/// The delta form factors of a face, row by row.
+std::vector<double> weightsOf(const radiosity::Projection& projection, std::size_t face) {
+  const raster::Scissor& scissor = projection.faces[face].scissor;
+  std::vector<double> weights;
+  for (int row = 0; row < scissor.height; ++row)
+    for (int column = 0; column < scissor.width; ++column)
+      weights.push_back(
+          radiosity::formFactor(radiosity::shareOf(projection, face, scissor.column + column, scissor.row + row)));
+  return weights;
+}
+
+/// The element of each item ID; -1 for the background and -2 for backs.
+std::vector<std::int64_t> elementsIn(const raster::ItemBuffer& buffer, const Elements& elements,
+                                     const radiosity::IdLayout& layout) {
+  std::vector<std::int64_t> numbers;
+  for (const raster::ItemId id : buffer.ids) {
+    const auto element = radiosity::elementOf(elements.discretization, layout, id);
+    numbers.push_back(element ? std::int64_t{*element} : id == raster::backId(layout.format) ? -2 : -1);
+  }
+  return numbers;
+}
+
+/// The faces of a projection over the centre of an element, or of the first patch of a surface, with their item IDs.
+py::list hemicube(const SharedElements& elements, const py::object& source, const py::dict& given,
+                  const py::object& makeRenderer) {
+  const Settings settings(given);
+  const reference::Source from = sourceOf(*elements, source);
+  const radiosity::DrawingSettings drawing = drawingSettings(settings);
+  const radiosity::Scene& scene = *elements->scene;
+  const radiosity::Discretization& discretization = elements->discretization;
+  const radiosity::IdLayout layout = radiosity::layOut(discretization, idSettings(settings));
+  const radiosity::RendererFactory makeIds = rendererFactory(makeRenderer);
+  const std::uint32_t surface = from.surfaces.front();
+  radiosity::Projection projection;
+  std::vector<raster::Face> faces;
+  std::vector<raster::ItemBuffer> buffers;
+  unlocked([&] {
+    const radiosity::Patch& patch = discretization.patches.list[discretization.grids[surface].firstPatch];
+    const radiosity::SurfacePoint point = from.element ? radiosity::elementCentre(scene, discretization, *from.element)
+                                                       : radiosity::patchCentre(scene, discretization, patch);
+    const auto renderer = makeIds(radiosity::makeDrawList(scene, discretization, layout));
+    radiosity::ProjectedFormFactors rows(scene, discretization, layout, *renderer,
+                                         {.resolution = drawing.resolution, .projection = drawing.projection});
+    const radiosity::View view = rows.viewFrom({.surface = surface, .point = point});
+    projection = *view.projection;
+    faces = view.faces;
+    buffers = raster::render(*renderer, faces, view.skipped);
+  });
+  py::list result;
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    const Shape shape{buffers[f].height, buffers[f].width};
+    py::dict face("face"_a = toDict(faces[f]), "weights"_a = toArray(weightsOf(projection, f), shape),
+                  "elements"_a = toArray(elementsIn(buffers[f], *elements, layout), shape));
+    face["ids"] = toArray(std::move(buffers[f]));
+    result.append(face);
+  }
+  return result;
+}
+
+}  // namespace
+
+radiosity::DrawingSettings drawingSettings(const Settings& settings) {
+  using radiosity::ElementsBy, radiosity::Orientation;
+  radiosity::DrawingSettings drawing;
+  assign(drawing.projection, settings.choice("method", projections()));
+  assign(drawing.resolution, settings.integer("resolution", 2, 4096));
+  if (drawing.resolution % 2 != 0)
+    throw InputError("`resolution` is " + std::to_string(drawing.resolution), "give an even number");
+  assign(drawing.orientation, settings.choice<Orientation>(
+                                  "orientation", {{"turned", Orientation::Turned}, {"aligned", Orientation::Aligned}}));
+  assign(drawing.split, settings.number("split", 1e-9, 1e300));
+  assign(drawing.elementsBy,
+         settings.choice<ElementsBy>("elements_by", {{"texture", ElementsBy::Texture}, {"mesh", ElementsBy::Mesh}}));
+  return drawing;
+}
+
+radiosity::IdSettings idSettings(const Settings& settings) {
+  radiosity::IdSettings ids;
+  assign(ids.format, settings.text("format"));
+  return ids;
+}
+
+void addFormFactors(py::module_& module) {
+  module.def("form_factor_row", &formFactorRow);
+  module.def("form_factor_matrix", &formFactorMatrix);
+  module.def("polygon_form_factor", &polygonFormFactor);
+  module.def("check_matrix", &checkMatrix);
+  module.def("read_matrix", &readMatrix);
+  module.def("hemicube", &hemicube);
+}
+
+}  // namespace hemitex::python

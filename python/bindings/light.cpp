@@ -1,0 +1,267 @@
+#include "python/bindings/light.h"
+
+#include <pybind11/stl.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "python/bindings/arrays.h"
+#include "python/bindings/form_factors.h"
+#include "python/bindings/renderers.h"
+#include "python/bindings/scenes.h"
+#include "radiosity/index_maps/id_layout.h"
+#include "radiosity/pictures/visibility.h"
+#include "radiosity/scene/load_scene.h"
+#include "radiosity/solver/dynamic_solution.h"
+#include "radiosity/solver/error_control.h"
+#include "radiosity/solver/progressive_solver.h"
+#include "radiosity/solver/sensitivity.h"
+#include "raster/base/parallel.h"
+#include "reference/truth/rays/embree_form_factors.h"
+
+namespace hemitex::python {
+namespace {
+
+using raster::InputError;
+using namespace py::literals;
+
+/// The rows of patches of a solution, and what they come from.
+struct Rows {
+  radiosity::SceneFormFactors drawn;
+  std::optional<reference::RayRows> rays;
+
+  Rows(const radiosity::Scene& scene, const radiosity::Discretization& discretization, const Method& method)
+      : drawn(scene, discretization, radiosity::layOut(discretization, method.ids), method.drawing,
+              method.makeRenderer) {
+    if (method.rays) rays.emplace(scene, discretization, *method.rays);
+  }
+  radiosity::RowSource source() {
+    if (!rays) return drawn.rowOf();
+    return [this](const radiosity::Patch& patch) { return rays->ofPatch(patch); };
+  }
+};
+
+Method methodOf(const Settings& settings, const radiosity::Scene& scene, const py::object& makeRenderer) {
+  Method method{.ids = idSettings(settings), .makeRenderer = rendererFactory(makeRenderer)};
+  if (settings.text("method").value_or("") == "rays") {
+    method.rays.emplace(reference::RayRowSettings{.start = reference::RayStart::Area});
+    assign(method.rays->rays, settings.integer("samples", 64, 1 << 24));
+    if ((method.rays->rays & (method.rays->rays - 1)) != 0)
+      throw InputError("`samples` is " + std::to_string(method.rays->rays), "give a power of two");
+    method.rays->seed =
+        static_cast<std::uint32_t>(settings.integer("seed", 0, std::numeric_limits<int>::max()).value_or(0));
+  } else {
+    method.drawing = drawingSettings(settings);
+  }
+  method.solver.residual = settings.number("residual", 1e-14, 1e300).value_or(radiosity::defaultResidual(scene));
+  method.solver.shots = settings.integer("shots", 0, std::numeric_limits<int>::max());
+  return method;
+}
+
+/// How far a solution is: the logarithm of its residual is nearly linear in shots.
+double shareDone(const radiosity::Step& step, const radiosity::SolverSettings& settings) {
+  if (settings.shots)
+    return *settings.shots == 0 ? 1 : static_cast<double>(step.shots) / static_cast<double>(*settings.shots);
+  if (!(step.residual > settings.residual)) return 1;
+  return std::clamp(std::log(step.residual) / std::log(std::min(settings.residual, 0.5)), 0.0, 1.0);
+}
+
+radiosity::Progress progressOf(Progress& told, const radiosity::SolverSettings& settings) {
+  return [&told, &settings](const radiosity::Step& step) { return told.tell(shareDone(step, settings)); };
+}
+
+/// Solves the scene of a discretization, whose patches become those of the solution.
+radiosity::Solution solveOnce(const radiosity::Scene& scene, radiosity::Discretization& discretization,
+                              const Method& method, const std::vector<bool>& seen, bool isContinued, Progress& told) {
+  Rows rows(scene, discretization, method);
+  radiosity::RowCache ofViews(method.solver.rowCacheBytes / 2);
+  radiosity::SolveInput input{.scene = scene,
+                              .discretization = discretization,
+                              .patches = discretization.patches,
+                              .rowOf = rows.source(),
+                              .split = rows.drawn.splits(),
+                              .settings = method.solver,
+                              .outside = rows.drawn.outsideFlux(),
+                              .seen = {seen, rows.drawn.scoutRows()},
+                              .isContinued = isContinued};
+  if (isContinued)
+    input.rowOf = [&](const radiosity::Patch& patch) {
+      return radiosity::rowByViews(rows.drawn.rows(), ofViews, patch);
+    };
+  radiosity::Solution solution = radiosity::solve(std::move(input), progressOf(told, method.solver));
+  discretization.patches = std::move(solution.patches);
+  if (solution.continuation) solution.continuation->rows.ofViews = std::move(ofViews);
+  return solution;
+}
+
+/// A copy without what edits go on from.
+SharedSolution resultOf(const radiosity::Solution& solution) {
+  return std::make_shared<const radiosity::Solution>(radiosity::Solution{.radiosity = solution.radiosity,
+                                                                         .irradiance = solution.irradiance,
+                                                                         .ambient = solution.ambient,
+                                                                         .energy = solution.energy,
+                                                                         .patches = {},
+                                                                         .absorbedByBacks = solution.absorbedByBacks,
+                                                                         .residual = solution.residual,
+                                                                         .shots = solution.shots,
+                                                                         .isInterrupted = solution.isInterrupted,
+                                                                         .warnings = solution.warnings});
+}
+
+/// The surfaces that a picture of 4 to 3 shows, as `hemitex solve` finds them.
+std::vector<bool> seenBy(const radiosity::Scene& scene, const py::object& camera) {
+  if (camera.is_none()) return {};
+  const radiosity::Camera seenFrom = cameraOf(camera.cast<py::dict>());
+  return unlocked([&] { return radiosity::seenSurfaces(scene, seenFrom, 256, 192); });
+}
+
+std::shared_ptr<Solved> solve(const SharedElements& elements, const py::dict& given, const py::object& camera,
+                              const py::object& makeRenderer, py::object progress) {
+  const Settings settings(given);
+  const radiosity::Scene& scene = *elements->scene;
+  radiosity::requireEmission(scene, scene.files.empty() ? std::filesystem::path("the scene") : scene.files.front());
+  auto solved = std::make_shared<Solved>();
+  solved->method = methodOf(settings, scene, makeRenderer);
+  const std::optional<double> bound = settings.number("max_error", 1e-6, 1);
+  const bool isEditable = settings.flag("editable").value_or(false);
+  if (isEditable && (bound || solved->method.rays))
+    throw InputError("a solution with `max_error` or of rays cannot be edited", "omit `editable`");
+  if (isEditable && !elements->settings.isUnburied)
+    throw InputError("the elements leave out what solids cover, which edits may uncover",
+                     "give editable=True to discretize, too");
+  if (bound && solved->method.rays) throw InputError("`max_error` chooses settings of hemicubes", "omit `method`");
+  const std::vector<bool> seen = bound ? seenBy(scene, camera) : std::vector<bool>();
+  Progress told(std::move(progress));
+  unlocked([&] {
+    Elements divided = *elements;
+    radiosity::Solution solution;
+    if (bound) {
+      solved->method.solver.residual = radiosity::residualFor(*bound);
+      const auto solveWith = [&](const radiosity::Effort& effort) {
+        solved->method.drawing.resolution = effort.resolution;
+        solved->method.drawing.split = effort.split;
+        divided.discretization.patches = elements->discretization.patches;
+        solution = solveOnce(scene, divided.discretization, solved->method, seen, false, told);
+        if (solution.isInterrupted) throw InputError("the progress callback ended the choice of settings");
+        return solution.radiosity;
+      };
+      solved->expectedErrors = radiosity::chooseEffort(divided.discretization, seen, solveWith, *bound).expectedErrors;
+    } else {
+      solution = solveOnce(scene, divided.discretization, solved->method, {}, isEditable, told);
+    }
+    if (isEditable) {
+      solved->solution = resultOf(solution);
+      const auto layOut = [ids = solved->method.ids](const radiosity::Discretization& edited) {
+        return radiosity::layOut(edited, ids);
+      };
+      solved->dynamic = std::make_unique<radiosity::DynamicSolution>(
+          scene, divided.discretization, std::move(solution),
+          radiosity::DynamicSettings{elements->settings, solved->method.drawing, solved->method.solver}, layOut,
+          solved->method.makeRenderer);
+    } else {
+      solved->solution = std::make_shared<const radiosity::Solution>(std::move(solution));
+    }
+    solved->elements = std::make_shared<const Elements>(std::move(divided));
+  });
+  return solved;
+}
+
+py::dict edit(Solved& solved, const py::sequence& list, py::object progress) {
+  if (!solved.dynamic)
+    throw InputError("the solution keeps nothing to edit", "give editable=True to discretize and to solve");
+  const std::vector<radiosity::Edit> edits = editsOf(list);
+  const std::unique_lock locked(solved.mutex, std::try_to_lock);
+  if (!locked) throw InputError("another thread edits this solution");
+  Progress told(std::move(progress));
+  SharedElements elements;
+  SharedSolution solution;
+  const radiosity::UpdateCost cost = unlocked([&] {
+    const radiosity::UpdateCost spent = solved.dynamic->update(edits, progressOf(told, solved.method.solver));
+    const radiosity::DynamicSolution& now = *solved.dynamic;
+    elements = std::make_shared<const Elements>(Elements{std::make_shared<const radiosity::Scene>(now.scene()), false,
+                                                         solved.elements->settings, now.discretization()});
+    solution = resultOf(now.solution());
+    return spent;
+  });
+  solved.elements = elements;
+  solved.solution = solution;
+  return py::dict("rows_in_windows"_a = cost.rowsInWindows, "rows_whole"_a = cost.rowsWhole,
+                  "rows_retracted"_a = cost.rowsRetracted, "rows_left"_a = cost.rowsLeft,
+                  "started_over"_a = cost.startedOver);
+}
+
+py::dict aboutSolution(const Solved& solved) {
+  const radiosity::Energy& energy = solved.solution->energy;
+  py::dict about("shots"_a = solved.solution->shots, "residual"_a = solved.solution->residual,
+                 "interrupted"_a = solved.solution->isInterrupted, "warnings"_a = solved.solution->warnings,
+                 "ambient"_a = toTuple(solved.solution->ambient),
+                 "patches"_a = solved.elements->discretization.patches.list.size(),
+                 "energy"_a = py::dict("emitted"_a = toTuple(energy.emitted), "absorbed"_a = toTuple(energy.absorbed),
+                                       "unshot"_a = toTuple(energy.unshot), "lost"_a = toTuple(energy.lost),
+                                       "lost_to_backs"_a = toTuple(energy.lostToBacks)));
+  about["expected_error"] =
+      solved.expectedErrors ? py::object(py::float_(solved.expectedErrors->larger())) : py::object(py::none());
+  return about;
+}
+
+py::dict sensitivityOf(const Solved& solved, const py::object& weights, py::object progress) {
+  const SharedElements elements = solved.elements;
+  const auto count = static_cast<py::ssize_t>(elements->discretization.elements.size());
+  const std::vector<glm::dvec3> ofElements = vectorsOf(numbers(weights, "weights", {count, 3}));
+  Progress told(std::move(progress));
+  radiosity::Sensitivity found = unlocked([&] {
+    Rows rows(*elements->scene, elements->discretization, solved.method);
+    return radiosity::sensitivity({.scene = *elements->scene,
+                                   .discretization = elements->discretization,
+                                   .patches = elements->discretization.patches,
+                                   .rowOf = rows.source(),
+                                   .outside = rows.drawn.outsideFlux()},
+                                  ofElements, [&](std::size_t done, std::size_t all) {
+                                    told.tell(static_cast<double>(done) / static_cast<double>(all));
+                                  });
+  });
+  return py::dict("target"_a = toTuple(found.target), "by_emission"_a = toArray(std::move(found.byEmission)),
+                  "by_reflectance"_a = toArray(std::move(found.byReflectance)),
+                  "radiosity"_a = toArray(std::move(found.radiosity)));
+}
+
+/// Limits the threads of all calls while it lives.
+class Threads {
+ public:
+  explicit Threads(int threads) : limit_(threads) {}
+
+ private:
+  raster::ThreadLimit limit_;
+};
+
+}  // namespace
+
+radiosity::Camera cameraOf(const py::dict& dictionary) {
+  const auto vector = [&](const char* name) { return vectorOf(py::object(dictionary[name]), name); };
+  radiosity::Camera camera{.eye = vector("eye"), .lookAt = vector("look_at"), .up = vector("up")};
+  assign(camera.fov, Settings(dictionary).number("fov", 1e-9, 180 - 1e-9));
+  return camera;
+}
+
+void addLight(py::module_& module) {
+  py::class_<Solved, std::shared_ptr<Solved>>(module, "Solution");
+  module.def("solve", &solve);
+  module.def("edit_solution", &edit);
+  module.def("about_solution", &aboutSolution);
+  module.def("sensitivity", &sensitivityOf);
+  module.def("elements_of", [](const Solved& solved) { return std::const_pointer_cast<Elements>(solved.elements); });
+  module.def("radiosity", [](const Solved& solved) {
+    return sharedArray(std::shared_ptr<const std::vector<glm::dvec3>>(solved.solution, &solved.solution->radiosity));
+  });
+  py::class_<Threads>(module, "Threads").def(py::init([](const py::object& threads) {
+    return new Threads(static_cast<int>(integerOf(threads, "threads", 0, 1 << 16)));
+  }));
+}
+
+}  // namespace hemitex::python

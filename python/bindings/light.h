@@ -1,0 +1,46 @@
+/// Light for Python: solutions, edits of solved scenes, and sensitivities.
+#pragma once
+
+#include <memory>
+#include <mutex>
+#include <optional>
+
+#include "python/bindings/calls.h"
+#include "python/bindings/scenes.h"
+#include "radiosity/form_factors/scene_form_factors.h"
+#include "radiosity/index_maps/id_layout.h"
+#include "radiosity/pictures/camera.h"
+#include "radiosity/solver/dynamic_solution.h"
+#include "radiosity/solver/error_control.h"
+#include "radiosity/solver/progressive_solver.h"
+#include "reference/truth/rays/embree_form_factors.h"
+
+namespace hemitex::python {
+
+using SharedSolution = std::shared_ptr<const radiosity::Solution>;
+
+/// What a solution is computed with.
+struct Method {
+  radiosity::DrawingSettings drawing;
+  radiosity::IdSettings ids;
+  radiosity::SolverSettings solver;
+  std::optional<reference::RayRowSettings> rays;
+  radiosity::RendererFactory makeRenderer;
+};
+
+/// A solution; the elements have the patches as split. Edits replace all members at a time.
+struct Solved {
+  Method method;
+  SharedElements elements;
+  SharedSolution solution;  ///< without patches and continuation
+  std::optional<radiosity::LightErrors> expectedErrors;
+  std::unique_ptr<radiosity::DynamicSolution> dynamic;  ///< of one that can be edited
+  std::mutex mutex;                                     ///< held by an edit
+};
+
+/// The camera of a dictionary: `eye`, `look_at`, `up`, `fov`.
+radiosity::Camera cameraOf(const py::dict& dictionary);
+
+void addLight(py::module_& module);
+
+}  // namespace hemitex::python

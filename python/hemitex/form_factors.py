@@ -1,0 +1,287 @@
+"""Form factors: rows, matrices, hemicubes, closed forms, and the judge of matrices."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any, Literal, Union, overload
+
+import numpy as np
+import numpy.typing as npt
+import scipy.sparse
+
+from . import _core
+from ._core import InputError
+from .rasterizers import Face, Rasterizer, _face, _factory
+from .scenes import Elements, Floats, Integers, Scene, _core_of, _elements
+
+Source = Union[str, tuple[str, int, int]]
+"""The name of a surface or family, or (surface, column, row) of a texel."""
+Method = Literal["hemicube", "single-plane", "tetrahedron", "rays", "analytic"]
+Told = Callable[[float], Any]
+"""Takes the share of a call that is done, in [0, 1]."""
+
+
+@dataclass(frozen=True)
+class FormFactorRow:
+    """The shares of the flux leaving a source that reach each receiver. With `surroundings` and `backs` they sum to 1."""
+    form_factor: Floats  #: (receivers,)
+    area: Floats  #: (receivers,)
+    standard_error: Floats | None  #: (receivers,), of rays
+    surroundings: float | None  #: share that meets nothing; None if the method ignores blockers
+    backs: float | None  #: share that meets backs of faces
+    captured: float | None  #: share that a projection captures; the rest counts as surroundings
+    names: list[str] | None  #: of the receivers, if they are surfaces; None for elements
+    elements: Elements
+
+    def to_xarray(self) -> Any:
+        """An xarray.DataArray over `to`, the names or numbers of receivers."""
+        import xarray
+        receivers = np.arange(len(self.form_factor)) if self.names is None else self.names
+        return xarray.DataArray(self.form_factor, dims="to", coords={"to": receivers, "area": ("to", self.area)},
+                                name="form factor")
+
+
+@dataclass(frozen=True)
+class FormFactorMatrix:
+    """A sparse matrix of form factors: row i has the shares of the flux leaving i."""
+    matrix: scipy.sparse.csr_array  #: (n, n), n surfaces or facets
+    surroundings: Floats  #: (n,) share of each row that meets nothing
+    backs: Floats  #: (n,) share of each row that meets backs of faces
+    area: Floats  #: (n,)
+    error: Floats | None  #: (n,) estimate of the sum of absolute errors of each row, where the method has one
+    names: list[str]  #: of rows and columns
+
+    @property
+    def complete(self) -> scipy.sparse.csr_array:
+        """(n, n + 2): with the columns `surroundings` and `backs`; each row sums to 1."""
+        extra = scipy.sparse.csr_array(np.column_stack([self.surroundings, self.backs]))
+        return scipy.sparse.csr_array(scipy.sparse.hstack([self.matrix, extra], format="csr"))
+
+    def to_xarray(self) -> Any:
+        """A dense xarray.DataArray (from, to)."""
+        import xarray
+        return xarray.DataArray(self.matrix.toarray(), dims=("from", "to"),
+                                coords={"from": self.names, "to": self.names}, name="form factor")
+
+
+@dataclass(frozen=True)
+class MatrixVerdict:
+    """What is wrong with a matrix."""
+    problems: list[str]  #: one sentence per kind; empty: nothing was found
+    fault: str | None  #: the known fault that explains the problems
+    largest_row_sum: float
+    reciprocity: float  #: sum of |A_i F_ij - A_j F_ji| over the sum of A_i F_ij
+    difference: float  #: from rays, in the measured rows, as a share of their light
+    noise: float  #: the part of it that the rays explain
+    measured_rows: int
+
+
+@dataclass(frozen=True)
+class HemicubeFace:
+    """A face of a projection with its item buffer, (height, width), row 0 first."""
+    face: Face
+    ids: npt.NDArray[np.uint32]  #: item IDs
+    elements: Integers  #: the element that each pixel shows; -1: nothing, -2: the back of a face
+    weights: Floats  #: delta form factors: the share of light that leaves through each pixel
+
+
+@dataclass(frozen=True)
+class Hemicube:
+    """A projection over a point: the top, then the sides towards +x, +y, -x and -y of the top."""
+    faces: list[HemicubeFace]
+    of: Elements
+
+    def row(self) -> Floats:
+        """(elements,): the sum of the weights of the pixels that show each element."""
+        elements = np.concatenate([face.elements.ravel() for face in self.faces])
+        weights = np.concatenate([face.weights.ravel() for face in self.faces])
+        seen = elements >= 0
+        return np.bincount(elements[seen], weights[seen], minlength=len(self.of)).astype(np.float64)
+
+    def unfolded(self, values: npt.ArrayLike | None = None) -> npt.NDArray[Any]:
+        """(2R, 2R[, 3]): the faces as a cross, the sides folded down around the top, seen from the point, for pictures.
+
+        The top row of the picture comes first. values: one per element, (elements,) or (elements, 3); by default its
+        number. Pixels outside the faces are NaN, those of backs and of the background 0 (-1 for numbers).
+        """
+        if len(self.faces) != 5:
+            raise InputError("only a hemicube unfolds to a cross")
+        table = np.asarray(np.arange(len(self.of)) if values is None else values, float)
+        if table.ndim not in (1, 2) or len(table) != len(self.of):
+            raise InputError(f"`values` has the shape {table.shape}; give one value for each of {len(self.of)} elements")
+        r = self.faces[0].face.resolution
+        place = (2 * np.arange(2 * r) + 1 - 2 * r) / r
+        x, y = np.meshgrid(place, -place)  # in halves of the top's width, y upwards
+        sides = np.clip(x, -1, 1), np.clip(y, -1, 1)
+        depth = np.minimum(np.minimum(1, 2 - abs(x)), 2 - abs(y))
+        axes = [np.array(axis) for axis in (self.faces[0].face.x, self.faces[0].face.y, self.faces[0].face.w)]
+        towards = -sides[0][..., None] * axes[0] + sides[1][..., None] * axes[1] + depth[..., None] * axes[2]
+        depths = np.stack([towards @ np.array(face.face.w) for face in self.faces])
+        nearest = depths.argmax(axis=0)
+        cross = np.full((2 * r, 2 * r) + table.shape[1:], np.nan)
+        for number, face in enumerate(self.faces):
+            pixels = (nearest == number) & (np.minimum(abs(x), abs(y)) <= 1)
+            first_column, first_row, width, height = face.face.rectangle
+            seen = towards[pixels] / depths[number][pixels][:, None]
+            column, row = [((seen @ np.array(axis) + 1) * r / 2).astype(int) - first
+                           for axis, first in ((face.face.x, first_column), (face.face.y, first_row))]
+            element = face.elements[row.clip(0, height - 1), column.clip(0, width - 1)]
+            shown = table[np.maximum(element, 0)]
+            shown[element < 0] = -1 if values is None else 0
+            cross[pixels] = shown
+        return cross
+
+
+def _settings(**given: Any) -> dict[str, Any]:
+    return {name: value for name, value in given.items() if value is not None}
+
+
+def form_factor_row(what: Scene | Elements,
+                    source: Source,
+                    *,
+                    by_surface: bool = False,
+                    method: Method = "hemicube",
+                    resolution: int = 256,
+                    orientation: Literal["turned", "aligned"] = "turned",
+                    split: float = 0.003,
+                    elements_by: Literal["texture", "mesh"] = "texture",
+                    samples: int | None = None,
+                    seed: int = 0,
+                    aimed: bool = False,
+                    rasterizer: Rasterizer | None = None,
+                    progress: Told | None = None) -> FormFactorRow:
+    """The row of a surface or of a texel, to all elements, or to all surfaces.
+
+    The row of a surface is the mean over its patches, by area; that of a texel is drawn from its centre.
+    resolution: pixels along the side of a hemicube, even, 2 to 4096. split: a patch is split while more than this share
+    of its light would go elsewhere from other points of it; 1: never. samples, seed, aimed: of rays.
+    """
+    elements = _elements(what)
+    row = _core.form_factor_row(
+        _core_of(elements, Elements), source,
+        _settings(by_surface=by_surface, method=method, resolution=resolution, orientation=orientation, split=split,
+                  elements_by=elements_by, samples=samples, seed=seed, aimed=aimed), _factory(rasterizer), progress)
+    return FormFactorRow(elements=elements, **row)
+
+
+def form_factor_matrix(what: Scene | Elements,
+                       *,
+                       method: Literal["hemicube", "single-plane", "tetrahedron", "rays"] = "hemicube",
+                       resolution: int = 256,
+                       orientation: Literal["turned", "aligned"] = "turned",
+                       split: float = 0.003,
+                       max_error: float | None = None,
+                       samples: int | None = None,
+                       seed: int = 0,
+                       rasterizer: Rasterizer | None = None,
+                       progress: Told | None = None) -> FormFactorMatrix:
+    """The matrix between all surfaces, families added up, or between all facets.
+
+    max_error: bounds the sum of the absolute errors of each row, for scenes of facets. For the others see
+    `form_factor_row`.
+    """
+    elements = _elements(what)
+    found = _core.form_factor_matrix(
+        _core_of(elements, Elements),
+        _settings(method=method, resolution=resolution, orientation=orientation, split=split, max_error=max_error,
+                  samples=samples, seed=seed), _factory(rasterizer), progress)
+    matrix = _csr(found)
+    return FormFactorMatrix(matrix=matrix, **{name: found[name] for name in ("surroundings", "backs", "area", "error",
+                                                                            "names")})
+
+
+def rays(what: Scene | Elements,
+         source: Source,
+         *,
+         by_surface: bool = False,
+         samples: int = 1 << 16,
+         seed: int = 0,
+         aimed: bool = False,
+         progress: Told | None = None) -> FormFactorRow:
+    """A row by rays from the whole area of the source, with standard errors: the ground truth for other methods.
+
+    aimed: rays aim at each receiver instead of covering the hemisphere; accurate, but slow for many receivers.
+    """
+    return form_factor_row(what, source, by_surface=by_surface, method="rays", samples=samples, seed=seed, aimed=aimed,
+                           progress=progress)
+
+
+@overload
+def analytic(what: Scene | Elements, source: Source, *, by_surface: bool = False) -> FormFactorRow:
+    ...
+
+
+@overload
+def analytic(what: npt.ArrayLike, source: npt.ArrayLike) -> float:
+    ...
+
+
+def analytic(what: Any, source: Any, *, by_surface: bool = False) -> Any:
+    """Closed forms without blockers: a row of a scene, or the form factor from one polygon to another.
+
+    A polygon is (corners, 3), convex and planar, counter-clockwise in front. Relative error 1e-9.
+
+    >>> below = [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]]
+    >>> above = [[0, 0, 1], [0, 1, 1], [1, 1, 1], [1, 0, 1]]
+    >>> round(analytic(below, above), 9)  # Howell's C-11
+    0.199824896
+    """
+    if isinstance(what, (Scene, Elements)):
+        return form_factor_row(what, source, by_surface=by_surface, method="analytic")
+    return _core.polygon_form_factor(what, source)
+
+
+def hemicube(what: Scene | Elements,
+             source: Source,
+             *,
+             resolution: int = 64,
+             method: Literal["hemicube", "single-plane", "tetrahedron"] = "hemicube",
+             rasterizer: Rasterizer | None = None) -> Hemicube:
+    """The faces over the centre of a texel, or of the first patch of a surface, with item IDs and delta form factors."""
+    elements = _elements(what)
+    faces = _core.hemicube(_core_of(elements, Elements), source, _settings(resolution=resolution, method=method),
+                           _factory(rasterizer))
+    return Hemicube([
+        HemicubeFace(_face(face["face"]), face["ids"], face["elements"], face["weights"]) for face in faces
+    ], elements)
+
+
+def check_matrix(matrix: FormFactorMatrix | Any,
+                 mesh: Scene,
+                 *,
+                 tolerance: float = 0.05,
+                 rows: int = 32,
+                 samples: int = 1 << 18) -> MatrixVerdict:
+    """Judges a matrix that any program computed for a mesh of facets: what is wrong, where, and which fault explains it.
+
+    matrix: (n, n), or (n, n + 2) with the columns surroundings and backs: a FormFactorMatrix, or any matrix of SciPy or
+    NumPy. mesh: loaded with facets=True, or of arrays without names. tolerance: relative error of an entry that is no
+    fault. rows: so many are measured by rays, with `samples` rays each.
+    """
+    if isinstance(matrix, FormFactorMatrix):
+        matrix = matrix.complete
+    try:
+        rows_of = scipy.sparse.csr_array(matrix)
+    except (ValueError, TypeError, NotImplementedError) as error:
+        raise InputError(f"the matrix is none of SciPy or NumPy: {error}") from None
+    if len(rows_of.shape) != 2:
+        raise InputError(f"the matrix has the shape {rows_of.shape}")
+    if rows_of is matrix:
+        rows_of = rows_of.copy()
+    rows_of.sum_duplicates()
+    facets = _elements(mesh)
+    found = _core.check_matrix(_core_of(facets, Elements), rows_of.data, rows_of.indices, rows_of.indptr,
+                               rows_of.shape[1], _settings(tolerance=tolerance, rows=rows, samples=samples))
+    return MatrixVerdict(**found)
+
+
+def read_matrix(file: str | os.PathLike[str]) -> tuple[scipy.sparse.csr_array, Floats | None]:
+    """A matrix of a file (.npz, .mtx, .csv, .vf, .txt), and the areas of its facets if the file has them."""
+    found = _core.read_matrix(os.fspath(file))
+    return _csr(found), found["area"]
+
+
+def _csr(found: dict[str, Any]) -> scipy.sparse.csr_array:
+    return scipy.sparse.csr_array((found["data"], found["indices"], found["indptr"]), shape=found["shape"])

@@ -1,0 +1,179 @@
+"""Light: solutions, edits, sensitivities."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass
+from typing import Any, Literal, overload
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _core
+from ._core import InputError
+from .form_factors import Told, _settings
+from .pictures import Camera, camera
+from .rasterizers import Rasterizer, _factory
+from .scenes import Edit, Elements, Floats, Scene, _core_of, _edits, _elements
+
+
+class Solution:
+    """The light of a scene. `edit` updates it."""
+
+    def __init__(self, core: _core.Solution) -> None:
+        """For use by this package: see `solve`."""
+        self._core = core
+        self._read()
+
+    def _read(self) -> None:
+        self.elements = Elements(_core.elements_of(self._core))
+        self.radiosity: Floats = _core.radiosity(self._core)
+        """(elements, 3), W/m^2 per band; read-only, in the memory of the solution."""
+        about: dict[str, Any] = _core.about_solution(self._core)
+        self.residual: float = about["residual"]
+        """Flux that was not shot yet over emitted flux."""
+        self.shots: int = about["shots"]
+        self.patches: int = about["patches"]
+        """The number of patches, as split."""
+        self.is_interrupted: bool = about["interrupted"]
+        """Whether the progress callback ended it before a limit was reached."""
+        self.energy: dict[str, tuple[float, float, float]] = about["energy"]
+        """Where the flux went, in W per band: emitted = absorbed + unshot + lost."""
+        self.expected_error: float | None = about["expected_error"]
+        """With max_error: the expected share of the flux that is in the wrong place."""
+        self.warnings: list[str] = about["warnings"]
+
+    @property
+    def scene(self) -> Scene:
+        """The scene, with all edits."""
+        return self.elements.scene
+
+    def mean(self, name: str) -> Floats:
+        """(3,): the radiosity of a surface or family, W/m^2, averaged by area."""
+        numbers = self.elements.of(name)
+        area = self.elements.area[numbers]
+        return area @ self.radiosity[numbers] / area.sum()
+
+    def to_xarray(self, name: str) -> Any:
+        """The radiosity of a surface as an xarray.DataArray (row, column, band)."""
+        return self.elements.to_xarray(self.radiosity, name)
+
+    def __repr__(self) -> str:
+        return f"<hemitex.Solution of {self.elements!r}, {self.shots} shots, residual {self.residual:.3g}>"
+
+
+def solve(what: Scene | Elements,
+          *,
+          residual: float | None = None,
+          shots: int | None = None,
+          max_error: float | None = None,
+          seen_by: Camera | None = None,
+          method: Literal["hemicube", "single-plane", "tetrahedron", "rays"] = "hemicube",
+          resolution: int = 256,
+          orientation: Literal["turned", "aligned"] = "turned",
+          split: float = 0.003,
+          elements_by: Literal["texture", "mesh"] = "texture",
+          format: str = "r8g8b8a8",
+          samples: int | None = None,
+          seed: int = 0,
+          editable: bool = False,
+          rasterizer: Rasterizer | None = None,
+          progress: Told | None = None) -> Solution:
+    """Solves by progressive radiosity, with the bits of `hemitex solve`.
+
+    residual: stops when so much of the emitted flux is unshot (default 0.001; 0.00001 with light from outside).
+    max_error: solves with growing effort until the expected error is at most this share, of all flux and of what
+    `seen_by` sees. format: channels of item IDs. editable: `edit` can update the solution.
+    progress: a function of the share that is done; if it returns False, the solution ends with what it has.
+    """
+    elements = _elements(what, editable)
+    settings = _settings(residual=residual, shots=shots, max_error=max_error, method=method, format=format,
+                         samples=samples, seed=seed, editable=editable, elements_by=elements_by,
+                         orientation=orientation)
+    if max_error is None:
+        settings.update(resolution=resolution, split=split)
+    seen_from = None if max_error is None else vars(seen_by or camera(elements.scene))
+    return Solution(_core.solve(_core_of(elements, Elements), settings, seen_from, _factory(rasterizer), progress))
+
+
+@dataclass(frozen=True)
+class UpdateCost:
+    """The work of an edit of a solution beside its shots: numbers of form-factor rows."""
+    rows_in_windows: int  #: of which only the changed windows were drawn
+    rows_whole: int  #: drawn completely
+    rows_retracted: int  #: of patches that moved or were removed
+    rows_left: int  #: kept, as little of their light can pass the change
+    started_over: bool  #: solved again
+
+
+@overload
+def edit(what: Scene, edits: Edit | Sequence[Edit]) -> Scene:
+    ...
+
+
+@overload
+def edit(what: Solution, edits: Edit | Sequence[Edit], *, progress: Told | None = None) -> UpdateCost:
+    ...
+
+
+def edit(what: Any, edits: Edit | Sequence[Edit], *, progress: Told | None = None) -> Any:
+    """The edited scene; or updates a solution, which must be editable, and returns what that took.
+
+    Arrays that were taken from the solution before keep their values.
+    """
+    if isinstance(what, Scene):
+        return Scene(_core.edit_scene(what._core, _edits(edits)))
+    cost = _core.edit_solution(_core_of(what, Solution), _edits(edits), progress)
+    what._read()
+    return UpdateCost(**cost)
+
+
+@dataclass(frozen=True)
+class Sensitivity:
+    """Derivatives of the target, the sum of weights times radiosity over elements. Bands do not mix."""
+    target: Floats  #: (3,) per band
+    by_emission: Floats  #: (elements, 3): by the emitted radiosity of each element
+    by_reflectance: Floats  #: (elements, 3)
+    radiosity: Floats  #: (elements, 3), W/m^2: the exact solution with the rows of the solution
+    elements: Elements
+
+    def of(self, name: str, by: Literal["emission", "reflectance"] = "emission") -> Floats:
+        """(3,): the derivative by the emission or reflectance of all elements of a surface or family together."""
+        if by not in ("emission", "reflectance"):
+            raise InputError(f"`by` is {by!r}; give emission or reflectance")
+        values = self.by_emission if by == "emission" else self.by_reflectance
+        return values[self.elements.of(name)].sum(axis=0)
+
+
+def sensitivity(solution: Solution, target: str | npt.ArrayLike, *, progress: Told | None = None) -> Sensitivity:
+    """The derivatives of a target by all emissions and reflectances at once, by one transposed solution.
+
+    target: weights of elements, (elements,) or (elements, 3), or the name of a surface, whose mean radiosity is meant.
+    Rows are those of the patches of the solution.
+    """
+    core = _core_of(solution, Solution)
+    elements = solution.elements
+    if isinstance(target, str):
+        numbers = elements.of(target)
+        weights = np.zeros(len(elements))
+        weights[numbers] = elements.area[numbers] / elements.area[numbers].sum()
+    else:
+        try:
+            weights = np.asarray(target)
+        except (ValueError, TypeError):
+            raise InputError("`target` is no array of numbers") from None
+    if weights.ndim == 1 and weights.dtype.kind in "fiu":
+        weights = np.repeat(weights[:, np.newaxis], 3, axis=1)
+    found = _core.sensitivity(core, weights, progress)
+    return Sensitivity(elements=elements, **{**found, "target": np.array(found["target"])})
+
+
+@contextmanager
+def threads(count: int) -> Iterator[None]:
+    """Limits all calls inside a `with` block to a number of threads; 0 means all of the machine."""
+    limit = _core.Threads(count)
+    try:
+        yield
+    finally:
+        del limit

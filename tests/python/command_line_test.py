@@ -1,0 +1,159 @@
+"""The package gives the bits of the command line."""
+
+import csv
+import io
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+import scipy.sparse
+from conftest import DATA, run
+
+import hemitex as hx
+
+ROOM = DATA / "cornell-box.obj"
+
+
+def table(text: str) -> dict[str, list[str]]:
+    """The columns of a CSV text."""
+    rows = list(csv.DictReader(io.StringIO(text)))
+    return {name: [row[name] for row in rows] for name in rows[0]}
+
+
+def numbers(column: list[str]) -> np.ndarray:
+    return np.array([float(value) for value in column])
+
+
+@pytest.mark.parametrize("method", ["hemicube", "single-plane", "tetrahedron", "rays", "analytic"])
+def test_form_factor_row_equals_hemitex_formfactors(method: str) -> None:
+    found = hx.form_factor_row(hx.load_scene(ROOM), "light", by_surface=True, method=method)
+    expected = table(run("formfactors", ROOM, "--from", "light", "--by-surface", "--method", method))
+    assert found.names == expected["surface"]
+    assert np.array_equal(found.form_factor, numbers(expected["form_factor"]))
+    assert np.array_equal(found.area, numbers(expected["area"]))
+    if method == "rays":
+        assert np.array_equal(found.standard_error, numbers(expected["standard_error"]))
+
+
+def test_form_factor_row_of_a_texel_equals_hemitex_formfactors() -> None:
+    elements = hx.discretize(hx.load_scene(ROOM), texels=8)
+    found = hx.form_factor_row(elements, ("floor", 3, 5), resolution=128)
+    expected = table(run("formfactors", ROOM, "--from", "floor:3,5", "--texels", 8, "--resolution", 128))
+    assert np.array_equal(found.form_factor, numbers(expected["form_factor"]))
+    assert [str(column) for column in elements.column] == expected["column"]
+    assert [str(row) for row in elements.row] == expected["row"]
+
+
+@pytest.mark.parametrize("max_error", [None, 0.05])
+def test_form_factor_matrix_equals_hemitex_formfactors(tmp_path: Path, max_error: float | None) -> None:
+    scene = hx.load_scene(ROOM, facets=True)
+    found = hx.form_factor_matrix(scene, max_error=max_error)
+    options = [] if max_error is None else ["--max-error", max_error]
+    run("formfactors", ROOM, "--all", "--facets", "-o", tmp_path / "F.npz", *options)
+    expected = scipy.sparse.load_npz(tmp_path / "F.npz").tocsr()
+    assert (found.complete != expected).nnz == 0
+    assert np.allclose(found.complete.sum(axis=1), 1, atol=1e-12)
+    read, area = hx.read_matrix(tmp_path / "F.npz")
+    assert (read != expected).nnz == 0 and np.array_equal(area, found.area)
+    about = json.loads((tmp_path / "F.json").read_text())
+    if max_error is not None:
+        assert np.array_equal(found.error, about["errors"]) and found.error.max() <= max_error
+
+
+def test_check_matrix_equals_hemitex_matrix_check(tmp_path: Path) -> None:
+    scene = hx.load_scene(ROOM, facets=True)
+    matrix = hx.form_factor_matrix(scene, max_error=0.02).complete
+    assert not hx.check_matrix(matrix, scene).problems
+    wrong = scipy.sparse.csr_array(matrix[:, :-2].T)
+    scipy.sparse.save_npz(tmp_path / "wrong.npz", scipy.sparse.csr_matrix(wrong))
+    expected = json.loads(run("matrix", "check", tmp_path / "wrong.npz", ROOM, "--json"))
+    found = hx.check_matrix(wrong, scene)
+    assert found.problems == expected["problems"] and found.problems
+    assert found.fault == expected["fault"] and "transposed" in found.fault
+    assert found.difference == expected["difference"]
+
+
+def elements_of(folder: Path) -> dict[str, np.ndarray]:
+    columns = table((folder / "elements.csv").read_text())
+    return {
+        "radiosity": np.column_stack([numbers(columns[name]) for name in ("b_r", "b_g", "b_b")]),
+        "centre": np.column_stack([numbers(columns[name]) for name in "xyz"]),
+        "normal": np.column_stack([numbers(columns[name]) for name in ("nx", "ny", "nz")]),
+        "area": numbers(columns["area"])
+    }
+
+
+def test_solve_and_render_equal_hemitex_solve(tmp_path: Path) -> None:
+    from matplotlib import image
+    solution = hx.solve(hx.discretize(hx.load_scene(ROOM), texels=8))
+    run("solve", ROOM, "--texels", 8, "-o", tmp_path)
+    expected = elements_of(tmp_path)
+    assert np.array_equal(solution.radiosity, expected["radiosity"])
+    assert np.array_equal(solution.elements.centre, expected["centre"])
+    assert np.array_equal(solution.elements.normal, expected["normal"])
+    assert np.array_equal(solution.elements.area, expected["area"])
+    about = json.loads((tmp_path / "solution.json").read_text())
+    assert (solution.shots, solution.residual, solution.patches) == (about["shots"], about["residual"], about["patches"])
+    assert list(solution.energy["absorbed"]) == about["energy"]["absorbed"]
+    drawn = np.rint(image.imread(tmp_path / "render.png")[..., :3] * 255).astype(int)
+    assert np.array_equal(hx.render(solution), drawn)
+
+
+def test_solve_with_light_from_outside_equals_hemitex_solve(tmp_path: Path) -> None:
+    scene = hx.load_scene(DATA / "pyramid-room.obj", sky=(1, 2, 3), suns=[((1, 2, 1), (10, 9, 8))])
+    solution = hx.solve(hx.discretize(scene, texels=4), residual=0.01)
+    run("solve", DATA / "pyramid-room.obj", "--sky", "1,2,3", "--sun", "1,2,1=10,9,8", "--texels", 4, "--residual", 0.01,
+        "-o", tmp_path)
+    assert np.array_equal(solution.radiosity, elements_of(tmp_path)["radiosity"])
+
+
+def test_edit_equals_hemitex_solve_with_edits(tmp_path: Path) -> None:
+    (tmp_path / "edits.json").write_text(
+        '{"frames": [[{"move": "short-block", "by": [40, 0, -80]}], [{"remove": "tall-block"}]]}')
+    run("solve", ROOM, "--texels", 4, "--edits", tmp_path / "edits.json", "-o", tmp_path / "lit")
+    solution = hx.solve(hx.discretize(hx.load_scene(ROOM), texels=4, editable=True), editable=True)
+    before = solution.radiosity
+    kept = before.copy()
+    assert np.array_equal(before, elements_of(tmp_path / "lit")["radiosity"])
+    hx.edit(solution, hx.Move("short-block", by=(40, 0, -80)))
+    assert np.array_equal(solution.radiosity, elements_of(tmp_path / "lit" / "frame-1")["radiosity"])
+    hx.edit(solution, [hx.Remove("tall-block")])
+    assert np.array_equal(solution.radiosity, elements_of(tmp_path / "lit" / "frame-2")["radiosity"])
+    assert len(solution.elements) < len(before) and np.array_equal(before, kept)
+
+
+def test_solve_with_a_bound_equals_hemitex_solve(tmp_path: Path) -> None:
+    room = DATA / "paper-room.obj"
+    solution = hx.solve(hx.discretize(hx.load_scene(room), texels=4), max_error=0.05)
+    run("solve", room, "--texels", 4, "--max-error", 0.05, "-o", tmp_path)
+    about = json.loads((tmp_path / "solution.json").read_text())
+    assert np.array_equal(solution.radiosity, elements_of(tmp_path)["radiosity"])
+    assert solution.expected_error == max(about["expected_error"], about["expected_error_seen"])
+
+
+def test_explain_equals_hemitex_vector_explain(tmp_path: Path) -> None:
+    run("vector", "suite", "-o", tmp_path)
+    vector = next(vector for vector in hx.vector_suite() if vector.name == "perspective-floor")
+    found = hx.explain(vector, 8, 3)
+    expected = json.loads(run("vector", "explain", tmp_path / vector.name, "--pixel", f"{found.face},8,3", "--json"))
+    assert (found.id, found.origin, found.derivation) == (expected["word"], expected["from"], expected["derivation"])
+    read = hx.read_vector(tmp_path / vector.name)
+    assert np.array_equal(read.draw_list.positions, vector.draw_list.positions) and read.faces == vector.faces
+    assert all(np.array_equal(a, b) for a, b in zip(read.draw(), vector.draw()))
+
+
+def test_hemicube_shows_the_picture_of_hemitex_render(tmp_path: Path) -> None:
+    from matplotlib import image
+    run("render", ROOM, "--show", "hemicube", "--from", "floor", "--resolution", 64, "-o", tmp_path / "cube.png")
+    drawn = np.rint(image.imread(tmp_path / "cube.png")[..., :3] * 255).astype(int)
+    cube = hx.hemicube(hx.load_scene(ROOM), "floor", resolution=64)
+    shown = cube.unfolded()
+    grey = np.isnan(shown)
+    # Two pictures show the same where pixels of one element have one colour.
+    assert drawn.shape[:2] == shown.shape
+    colours: dict[float, set[tuple[int, ...]]] = {}
+    for element, colour in zip(shown[~grey], drawn[~grey]):
+        colours.setdefault(float(element), set()).add(tuple(colour))
+    colours.pop(-1.0)  # backs are white, the background is black
+    assert max(map(len, colours.values())) == 1 and len(colours) > 100
