@@ -14,8 +14,10 @@
 #include "cli/common/commands.h"
 #include "cli/common/json.h"
 #include "cli/common/table.h"
+#include "cli/formfactors/facet_values.h"
 #include "cli/formfactors/row_file.h"
 #include "cli/formfactors/symmetry_options.h"
+#include "cli/scene/facet_file.h"
 #include "cli/scene/scene_hash.h"
 #include "cli/scene/scene_options.h"
 #include "cli/scene/source_names.h"
@@ -53,6 +55,8 @@ struct FormFactorOptions {
   std::optional<double> maxError;
   radiosity::Symmetry symmetry;
   std::filesystem::path output;  ///< empty: standard output
+  std::filesystem::path vtu;     ///< of the facets; empty: none
+  std::vector<int> vtuRows;      ///< facets whose rows are in that file
 };
 
 /// Whether the result is a file with a sparse matrix.
@@ -351,8 +355,15 @@ void writeMatrix(const FormFactorOptions& options, Context& context, const radio
   reference::MatrixHeading heading = headingOf(families, receivers);
   heading.hasErrors = options.maxError || options.method == "rays";
   MatrixOutput matrix(file->staged(), heading, options.smooth);
-  forEachRow(rowFrom, families, file.get(), context, [&](const Row& row) { matrix.take(row); });
+  FacetValues values(heading.facets(), options.vtuRows);
+  std::optional<FacetFile> facets;
+  if (!options.vtu.empty()) facets.emplace(options.vtu, std::set(scene.files.begin(), scene.files.end()));
+  forEachRow(rowFrom, families, file.get(), context, [&](const Row& row) {
+    if (facets) values.take(row);
+    matrix.take(row);
+  });
   const std::optional<reference::SmoothingMoves> moves = matrix.finish();
+  if (facets) facets->write(options.scene.file, values.arrays());
   nlohmann::ordered_json result{{"matrix", options.output.filename().string()},
                                 {"sha256", reference::sha256OfFile(file->staged())}};
   result.update(nlohmann::ordered_json::parse(reference::aboutMatrix(heading)));
@@ -424,11 +435,8 @@ void requireMatrixFile(const FormFactorOptions& options) {
 
 /// Meshes without materials have facets, of one texel unless another size is given.
 void completeFacets(FormFactorOptions& options, Command command) {
-  radiosity::SceneSettings& settings = options.scene.settings;
-  if (!options.facets && (!radiosity::isPlainMesh(options.scene.file) || options.bySurface)) return;
-  if (settings.sides == radiosity::Sides::Two) usageError("--two-sided", "is not used with --facets; omit one of them");
-  chooseFacets(settings, options.discretization);
-  if (!command.isGiven("--texels") && !command.isGiven("--texel-size")) options.discretization.texels = 1;
+  if (options.facets || (radiosity::isPlainMesh(options.scene.file) && !options.bySurface))
+    chooseFacets(command, options.scene.settings, options.discretization);
 }
 
 }  // namespace
@@ -457,6 +465,17 @@ void addFormFactors(Command program, Context& context) {
                "write the matrix into this file, and with --json only its checks to stdout; rows are kept in "
                "FILE.part, from which an interrupted run goes on")
       .needs(all);
+  const Option vtu = rows.addPath("--vtu", options->vtu,
+                                  "with --all -o of facets, also write the mesh for ParaView: each facet with the sum "
+                                  "of its row, its shares of surroundings and backs, and its estimated error if known",
+                                  "FILE.vtu")
+                         .needs(all);
+  rows.addTexts("--row", "N", "also write the row of facet N into the file of --vtu (repeatable)",
+                [options](const std::vector<std::string>& texts) {
+                  for (const std::string& text : texts)
+                    options->vtuRows.push_back(integerOption("--row", text, 0, std::numeric_limits<int>::max()));
+                })
+      .needs(vtu);
   const Command method = command.under("Form factors");
   const Option maxError = addPositive(
       method, "--max-error", options->maxError, 1,
@@ -500,6 +519,8 @@ void addFormFactors(Command program, Context& context) {
       usageError("--mirror", "and --periodic sum over the images of a surface; add --by-surface or --all");
     if (options->maxError && !(isSparse(*options) && options->scene.settings.facets))
       usageError("--max-error", "bounds the rows of a matrix of facets; add --all --facets -o FILE.npz");
+    if (!options->vtu.empty() && !(isSparse(*options) && options->scene.settings.facets))
+      usageError("--vtu", "shows the matrix of facets; add --all --facets -o FILE.npz");
     const auto projection = projectionNamed(options->method);
     if (projection) options->drawing.projection = *projection;
     if (!projection) refuseUnused(command, drawingOptionNames(), options->method);

@@ -7,6 +7,7 @@
 #include "cli/common/commands.h"
 #include "cli/common/json.h"
 #include "cli/common/table.h"
+#include "cli/scene/facet_file.h"
 #include "cli/scene/scene_options.h"
 #include "radiosity/discretization/discretize.h"
 #include "radiosity/scene/surface_names.h"
@@ -23,6 +24,7 @@ namespace fs = std::filesystem;
 
 struct MatrixOptions {
   fs::path matrix, other;
+  fs::path vtu;  ///< of the differences; empty: none
   SceneOptions mesh;
   reference::JudgeSettings judge;
 };
@@ -68,15 +70,16 @@ void check(const MatrixOptions& options, Context& context) {
   if (verdict.problems.empty()) std::cout << "nothing wrong was found\n";
 }
 
-/// The light that a facet sends elsewhere in another matrix.
-struct Difference {
-  std::size_t facet = 0;
-  double sum = 0, difference = 0;
+/// How far the rows of two matrices are apart, per facet.
+struct Differences {
+  std::vector<double> sum;         ///< of the row of the first matrix
+  std::vector<double> difference;  ///< sum of the absolute differences of the row
+  std::vector<double> received;    ///< by how much the light differs that each facet receives from radiosity 1
 };
 
-Difference differenceOf(std::size_t facet, const reference::SparseRow& a, const reference::SparseRow& b,
-                        std::uint32_t facets) {
-  Difference result{facet, 0, 0};
+/// Calls take(to, a, b) for each facet that a row has an entry for in a or b.
+template <typename Take>
+void forEachPair(const reference::SparseRow& a, const reference::SparseRow& b, std::uint32_t facets, const Take& take) {
   std::size_t i = 0, k = 0;
   const auto isLeft = [&](const reference::SparseRow& row, std::size_t at) {
     return at < row.column.size() && row.column[at] < facets;
@@ -85,9 +88,20 @@ Difference differenceOf(std::size_t facet, const reference::SparseRow& a, const 
     const std::uint32_t column = std::min(isLeft(a, i) ? a.column[i] : facets, isLeft(b, k) ? b.column[k] : facets);
     const double x = isLeft(a, i) && a.column[i] == column ? a.value[i++] : 0,
                  y = isLeft(b, k) && b.column[k] == column ? b.value[k++] : 0;
-    result.sum += x;
-    result.difference += std::abs(x - y);
+    take(column, x, y);
   }
+}
+
+Differences differencesOf(const reference::SparseMatrix& a, const reference::SparseMatrix& b,
+                          const std::vector<double>& area) {
+  const std::size_t facets = area.size();
+  Differences result{std::vector<double>(facets), std::vector<double>(facets), std::vector<double>(facets)};
+  for (std::size_t f = 0; f < facets; ++f)
+    forEachPair(a.row(f), b.row(f), static_cast<std::uint32_t>(facets), [&](std::uint32_t to, double x, double y) {
+      result.sum[f] += x;
+      result.difference[f] += std::abs(x - y);
+      if (area[to] > 0) result.received[to] += area[f] * std::abs(x - y) / area[to];
+    });
   return result;
 }
 
@@ -103,16 +117,20 @@ void compare(const MatrixOptions& options, Context& context) {
           "has " + std::to_string(matrix->rows()) + " rows, and the mesh has " + std::to_string(facets) + " facets",
           "give matrices of this mesh");
   const std::vector<double> area = reference::familiesAsReceivers(mesh.scene, mesh.discretization, mesh.facets).area;
-  std::vector<Difference> differences;
+  const Differences found = differencesOf(a, b, area);
   double all = 0, apart = 0;
   for (std::size_t f = 0; f < facets; ++f) {
-    differences.push_back(differenceOf(f, a.row(f), b.row(f), static_cast<std::uint32_t>(facets)));
-    all += area[f] * differences[f].sum;
-    apart += area[f] * differences[f].difference;
+    all += area[f] * found.sum[f];
+    apart += area[f] * found.difference[f];
   }
   const double share = all > 0 ? apart / all : 0;
+  if (!options.vtu.empty())
+    FacetFile(options.vtu, {options.matrix, options.other, options.mesh.file})
+        .write(options.mesh.file, std::vector<radiosity::FaceArray>{{"difference", 1, found.difference},
+                                                                    {"difference_received", 1, found.received},
+                                                                    {"row_sum", 1, found.sum}});
   const Table table{{"facet", "area", "sum", "difference"}, facets, [&](std::size_t f) -> std::vector<Cell> {
-                      return {std::int64_t(f), area[f], differences[f].sum, differences[f].difference};
+                      return {std::int64_t(f), area[f], found.sum[f], found.difference[f]};
                     }};
   if (context.json) {
     std::cout << toText({{"difference", share}, {"facets", toJson(table)}});
@@ -148,7 +166,11 @@ void addMatrix(Command program, Context& context) {
   comparing.addPath("FILE", options->matrix, "matrix: .npz, .mtx, .csv, .vf or .txt").required();
   comparing.addPath("OTHER", options->other, "another matrix of the same mesh").required();
   addMesh(comparing, *options);
-  comparing.addExamples({"F.npz factors.vf city.vs3", "coarse.npz fine.npz city.stl --json"});
+  comparing.addPath("--vtu", options->vtu,
+                    "also write the mesh for ParaView, each facet with the difference of its rows and of the light "
+                    "that it receives",
+                    "FILE.vtu");
+  comparing.addExamples({"F.npz factors.vf city.vs3", "coarse.npz fine.npz city.stl --vtu difference.vtu"});
   matrix.addExamples({"check F.npz city.stl", "compare F.npz factors.vf city.vs3"});
   comparing.onRead([options, &context] { context.command = [options, &context] { compare(*options, context); }; });
 }

@@ -61,6 +61,17 @@ std::vector<std::string> largestFamilies(const radiosity::Scene& scene) {
   return names;
 }
 
+/// Adds `--cell-reflectance` and `--cell-emission`.
+void addCellOptions(Command command, radiosity::SceneSettings& settings) {
+  command = command.under("Light and reflectance");
+  const std::string ofVtk =
+      " of each face in the cell data NAME of a VTK file, of one component or three (red, green, "
+      "blue)";
+  command.addText("--cell-reflectance", "NAME", "read the reflectance" + ofVtk, settings.cellReflectance);
+  command.addText("--cell-emission", "NAME", "read the emission" + ofVtk + "; see --emission for its unit",
+                  settings.cellEmission);
+}
+
 }  // namespace
 
 void addSceneOptions(Command command, SceneOptions& options) {
@@ -87,16 +98,21 @@ void addSceneOptions(Command command, SceneOptions& options) {
   addSides("--one-sided", radiosity::Sides::One, "leave the backs of all faces black").excludes(two);
   addChoice(command, "--emission", options.settings.emission, emissionChoices,
             "unit of Ke, --emit and --lights: radiosity in W/m^2, or radiance in W/(m^2 sr) (default radiosity)");
+  addCellOptions(command, options.settings);
   addMaterialOptions(command, options.materials);
 }
 
 ordered_json toJson(const radiosity::SceneSettings& settings) {
-  return {{"charts", nameOf(chartsChoices, settings.charts)},
-          {"crease", settings.crease ? ordered_json(*settings.crease) : ordered_json()},
-          {"max_reflectance", settings.maxReflectance},
-          {"two_sided", settings.sides == radiosity::Sides::Two},
-          {"one_sided", settings.sides == radiosity::Sides::One},
-          {"emission", nameOf(emissionChoices, settings.emission)}};
+  ordered_json text{{"charts", nameOf(chartsChoices, settings.charts)},
+                    {"crease", settings.crease ? ordered_json(*settings.crease) : ordered_json()},
+                    {"max_reflectance", settings.maxReflectance},
+                    {"two_sided", settings.sides == radiosity::Sides::Two},
+                    {"one_sided", settings.sides == radiosity::Sides::One},
+                    {"emission", nameOf(emissionChoices, settings.emission)}};
+  if (settings.facets) text["facets"] = true;
+  if (!settings.cellReflectance.empty()) text["cell_reflectance"] = settings.cellReflectance;
+  if (!settings.cellEmission.empty()) text["cell_emission"] = settings.cellEmission;
+  return text;
 }
 
 radiosity::Scene loadedScene(const SceneOptions& options) {
@@ -121,6 +137,12 @@ void requireLight(const radiosity::Scene& scene, const std::filesystem::path& fi
                                  " (largest surfaces: " + names + ")" + alternative);
   }
   radiosity::requireEmission(scene, file);
+}
+
+void chooseFacets(Command command, radiosity::SceneSettings& scene, radiosity::DiscretizationSettings& elements) {
+  if (scene.sides == radiosity::Sides::Two) usageError("--two-sided", "is not used with --facets; omit one of them");
+  chooseFacets(scene, elements);
+  if (!command.isGiven("--texels") && !command.isGiven("--texel-size")) elements.texels = 1;
 }
 
 void chooseFacets(radiosity::SceneSettings& scene, radiosity::DiscretizationSettings& elements) {

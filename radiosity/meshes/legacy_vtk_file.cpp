@@ -17,6 +17,10 @@ NumberType typeNamed(std::string_view name, const Place& place) {
   if (name == "double") return NumberType::Float64;
   if (name == "int") return NumberType::Int32;
   if (name == "unsigned_int") return NumberType::Uint32;
+  if (name == "unsigned_char") return NumberType::Uint8;
+  if (name == "char") return NumberType::Int8;
+  if (name == "short") return NumberType::Int16;
+  if (name == "unsigned_short") return NumberType::Uint16;
   if (name == "long" || name == "vtktypeint64" || name == "vtkIdType") return NumberType::Int64;
   fail(place, "'" + raster::excerpt(name) + "' is not a type that is read",
        "save the file with float, double, int or long");
@@ -33,7 +37,10 @@ struct Cells {
 
 class LegacyReader {
  public:
-  LegacyReader(std::string_view bytes, const std::filesystem::path& file) : rest_(bytes), file_(file) {}
+  LegacyReader(std::string_view bytes, const std::filesystem::path& file, std::span<const std::string> cellData)
+      : rest_(bytes), file_(file) {
+    for (const std::string& name : cellData) mesh_.arrays.push_back({name});
+  }
 
   PolygonMesh read() {
     if (!line().starts_with("# vtk DataFile Version")) fail("does not begin with `# vtk DataFile Version`");
@@ -44,10 +51,15 @@ class LegacyReader {
     encoding_ = word == "BINARY" ? NumberEncoding::BigEndian : NumberEncoding::Text;
     while (!rest_.empty() && readSection()) {
     }
+    std::vector<std::uint32_t> faces;  // the numbers of the cells that are faces, in the order of cell data
+    const std::uint32_t others = leftOut_;
     for (std::size_t cell = 0; cell < cells_.count(); ++cell) {
       if (!types_.empty() && types_.size() != cells_.count()) fail("there are not as many types as cells");
       addVtkCell(mesh_, types_.empty() ? vtkPolygon : types_[cell], cells_.of(cell), {file_}, leftOut_);
+      if (mesh_.polygons.size() > faces.size()) faces.push_back(others + static_cast<std::uint32_t>(cell));
     }
+    cellCount_ = others + static_cast<std::uint32_t>(cells_.count());
+    if (!mesh_.arrays.empty()) readData(faces);
     finishVtkMesh(mesh_, leftOut_, file_);
     return std::move(mesh_);
   }
@@ -71,7 +83,7 @@ class LegacyReader {
   bool readSection() {
     std::string_view words = line();
     const std::string_view keyword = nextWord(words).value_or("");
-    if (keyword == "POINT_DATA" || keyword == "CELL_DATA") return false;
+    if (beginsData(keyword, words)) return false;
     if (keyword == "DATASET") {
       const auto kind = nextWord(words);
       if (kind != "POLYDATA" && kind != "UNSTRUCTURED_GRID")
@@ -94,12 +106,102 @@ class LegacyReader {
     } else if (keyword == "TRIANGLE_STRIPS") {
       radiosity::fail(place(), "strips of triangles are not read", "divide them, in ParaView with Triangulate");
     } else if (keyword == "METADATA") {
-      while (!rest_.empty() && line().find_first_not_of(" \t") != std::string_view::npos) {
-      }
+      skipMetadata();
     } else if (!keyword.empty()) {
       fail("`" + raster::excerpt(keyword) + "` is not expected here");
     }
     return true;
+  }
+
+  /// Whether a line begins the data of points or cells; remembers which.
+  bool beginsData(std::string_view keyword, std::string_view& words) {
+    if (keyword != "POINT_DATA" && keyword != "CELL_DATA") return false;
+    isOfCells_ = keyword == "CELL_DATA";
+    dataCount_ = number(words);
+    return true;
+  }
+
+  /// Reads the data of points and cells, behind the line that begins them, into the arrays of the mesh.
+  void readData(std::span<const std::uint32_t> faces) {
+    while (!rest_.empty()) {
+      std::string_view words = line();
+      const std::string keyword(nextWord(words).value_or(""));
+      if (keyword.empty()) continue;
+      if (beginsData(keyword, words)) continue;
+      if (keyword == "METADATA") {
+        skipMetadata();
+        continue;
+      }
+      const std::string name(nextWord(words).value_or(""));
+      const auto typeOf = [&] { return typeNamed(nextWord(words).value_or(""), place()); };
+      if (keyword == "FIELD") {
+        readField(number(words), faces);
+      } else if (keyword == "SCALARS") {
+        const NumberType type = typeOf();
+        const std::uint32_t components = words.find_first_not_of(" \t") == words.npos ? 1 : number(words);
+        if (!line().starts_with("LOOKUP_TABLE")) fail("LOOKUP_TABLE is missing behind SCALARS");
+        readArray(name, type, components, dataCount_, faces);
+      } else if (keyword == "LOOKUP_TABLE") {
+        skipColours(number(words), 4);
+      } else if (keyword == "COLOR_SCALARS") {
+        skipColours(dataCount_, number(words));
+      } else if (keyword == "TEXTURE_COORDINATES") {
+        const std::uint32_t components = number(words);
+        readArray(name, typeOf(), components, dataCount_, faces);
+      } else if (keyword == "VECTORS" || keyword == "NORMALS" || keyword == "TENSORS") {
+        readArray(name, typeOf(), keyword == "TENSORS" ? 9 : 3, dataCount_, faces);
+      } else {
+        fail("`" + raster::excerpt(keyword) + "` is not expected in data of points and cells");
+      }
+    }
+    for (const FaceArray& array : mesh_.arrays)
+      if (array.values.empty()) fail("has no cell data `" + raster::excerpt(array.name) + "`");
+  }
+
+  /// Lines `name components tuples type`, each with its numbers.
+  void readField(std::uint32_t arrays, std::span<const std::uint32_t> faces) {
+    while (arrays > 0 && !rest_.empty()) {
+      std::string_view words = line();
+      const std::string name(nextWord(words).value_or(""));
+      if (name.empty()) continue;
+      if (name == "METADATA") {
+        skipMetadata();
+        continue;
+      }
+      const std::uint32_t components = number(words), tuples = number(words);
+      readArray(name, typeNamed(nextWord(words).value_or(""), place()), components, tuples, faces);
+      --arrays;
+    }
+  }
+
+  void readArray(const std::string& name, NumberType type, std::uint32_t components, std::uint32_t tuples,
+                 std::span<const std::uint32_t> faces) {
+    const std::uint64_t count = std::uint64_t{components} * tuples;
+    NumberSource source = numbers(type, count);
+    const auto wanted = std::find_if(mesh_.arrays.begin(), mesh_.arrays.end(), [&](const FaceArray& array) {
+      return isOfCells_ && array.name == name && array.values.empty();
+    });
+    if (wanted == mesh_.arrays.end()) {
+      source.skip(type, count);
+    } else {
+      if (tuples != cellCount_) fail("the cell data `" + raster::excerpt(name) + "` are not one per cell");
+      std::vector<double> values(count);
+      for (double& value : values) value = source.next(type);
+      addCellValues(*wanted, static_cast<int>(std::min(components, 100U)), values, faces, place());
+    }
+    goBehind(source);
+  }
+
+  /// Colours are bytes in binary files, numbers in text.
+  void skipColours(std::uint32_t count, std::uint32_t components) {
+    NumberSource source = numbers(NumberType::Uint8, std::uint64_t{count} * components);
+    source.skip(NumberType::Uint8, std::size_t{count} * components);
+    goBehind(source);
+  }
+
+  void skipMetadata() {
+    while (!rest_.empty() && line().find_first_not_of(" \t") != std::string_view::npos) {
+    }
   }
 
   std::uint32_t number(std::string_view& words) {
@@ -177,13 +279,16 @@ class LegacyReader {
   PolygonMesh mesh_{.sections = {{0, ""}}, .objects = {{"default"}}};
   Cells cells_;
   std::vector<std::uint32_t> types_;
-  std::uint32_t leftOut_ = 0;
+  std::uint32_t leftOut_ = 0, cellCount_ = 0;
+  bool isOfCells_ = false;  ///< whether data are of cells, not of points
+  std::uint32_t dataCount_ = 0;
 };
 
 }  // namespace
 
-PolygonMesh parseLegacyVtk(std::string_view bytes, const std::filesystem::path& file) {
-  return LegacyReader(bytes, file).read();
+PolygonMesh parseLegacyVtk(std::string_view bytes, const std::filesystem::path& file,
+                           std::span<const std::string> cellData) {
+  return LegacyReader(bytes, file, cellData).read();
 }
 
 }  // namespace hemitex::radiosity

@@ -34,6 +34,13 @@ struct MeshCorner {
   std::optional<std::uint32_t> normal = {};    ///< in PolygonMesh::normals
 };
 
+/// Values of faces, such as the cell data of VTK.
+struct FaceArray {
+  std::string name;
+  int components = 1;               ///< 1 or 3
+  std::vector<double> values = {};  ///< `components` per polygon
+};
+
 struct PolygonMesh {
   std::vector<glm::dvec3> positions = {};  ///< finite; absolute coordinates at most 1e18
   std::vector<glm::dvec2> texcoords = {};  ///< finite; absolute coordinates at most 1e18
@@ -46,6 +53,7 @@ struct PolygonMesh {
   std::vector<SceneObject> objects = {};
   std::vector<std::string> materialLibraries =
       {};  ///< OBJ: the argument of each `mtllib`, a file or several with blanks between them
+  std::vector<FaceArray> arrays = {};      ///< those that were asked for; View3D: `reflectance`
   std::vector<std::string> warnings = {};  ///< about faults in unused data, for the user
 };
 

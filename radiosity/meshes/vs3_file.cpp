@@ -90,16 +90,21 @@ class Vs3Reader {
       if (vertex > 0) corners.push_back(vertex - 1);
     }
     std::string name = "obstruction";
+    double reflectance = 0;
     if (radiates) {
       if (index(rest, 0xffffffff, place) != 0)
         fail(place, "a surface inside of another is not read", "divide the other one into surfaces beside it");
       if (index(rest, 0xffffffff, place) != 0) ++combined_;
-      nextWord(rest);  // the emittance
+      std::array<double, 1> emittance{1};
+      if (const auto word = nextWord(rest)) readNumbers(*word, emittance, place);
+      if (!(emittance[0] >= 0 && emittance[0] <= 1)) fail(place, "an emittance is from 0 to 1");
+      reflectance = 1 - emittance[0];
       name = std::string(nextWord(rest).value_or("surface"));
     }
     startSection(name);
     addPolygon(mesh_, corners, place);
     mesh_.polygons.back().section = sections_.at(name);
+    mesh_.arrays.front().values.push_back(reflectance);
   }
   void startSection(const std::string& name) {
     if (sections_.try_emplace(name, static_cast<std::uint32_t>(mesh_.sections.size())).second) {
@@ -109,7 +114,7 @@ class Vs3Reader {
   }
 
   const std::filesystem::path& file_;
-  PolygonMesh mesh_;
+  PolygonMesh mesh_{.arrays = {{"reflectance"}}};
   std::map<std::string, std::uint32_t> sections_;
   int combined_ = 0;
 };

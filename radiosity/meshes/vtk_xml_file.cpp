@@ -46,22 +46,26 @@ class PieceReader {
       addPosition(mesh_, {points[p], points[p + 1], points[p + 2]}, {file_});
     if (!isPolyData) {
       const std::uint32_t cells = count(piece, "NumberOfCells");
-      readCells(piece.child("Cells"), cells,
+      readCells(piece.child("Cells"), cells, 0,
                 cells == 0 ? std::vector<std::uint32_t>()
                            : arrays_.indices(arrayNamed(piece.child("Cells"), "types"), cells, 255));
-      return;
+      return readCellData(piece.child("CellData"), cells);
     }
     if (count(piece, "NumberOfStrips") > 0)
       fail({file_}, "strips of triangles are not read", "divide them, in ParaView with Triangulate");
-    leftOut_ += count(piece, "NumberOfVerts") + count(piece, "NumberOfLines");
-    readCells(piece.child("Polys"), count(piece, "NumberOfPolys"), {});
+    const std::uint32_t others = count(piece, "NumberOfVerts") + count(piece, "NumberOfLines"),
+                        polygons = count(piece, "NumberOfPolys");
+    leftOut_ += others;
+    readCells(piece.child("Polys"), polygons, others, {});
+    readCellData(piece.child("CellData"), others + polygons);
   }
 
  private:
   static std::uint32_t count(const pugi::xml_node& piece, const char* name) { return piece.attribute(name).as_uint(); }
 
-  /// Without types, all cells are polygons.
-  void readCells(const pugi::xml_node& cells, std::uint32_t number, const std::vector<std::uint32_t>& types) {
+  /// `first` is the number of the first cell in the cell data. Without types, all cells are polygons.
+  void readCells(const pugi::xml_node& cells, std::uint32_t number, std::uint32_t first,
+                 const std::vector<std::uint32_t>& types) {
     if (number == 0) return;
     const std::vector<std::uint32_t> ends =
         arrays_.indices(arrayNamed(cells, "offsets"), number, std::numeric_limits<std::uint32_t>::max());
@@ -70,9 +74,32 @@ class PieceReader {
     if (ends.back() > 0)
       points = arrays_.indices(arrayNamed(cells, "connectivity"), ends.back(), points_ == 0 ? 0 : points_ - 1);
     for (std::uint32_t& point : points) point += first_;
-    for (std::uint32_t c = 0, start = 0; c < number; start = ends[c++])
+    for (std::uint32_t c = 0, start = 0; c < number; start = ends[c++]) {
+      const std::size_t before = mesh_.polygons.size();
       addVtkCell(mesh_, types.empty() ? vtkPolygon : types[c], std::span(points).subspan(start, ends[c] - start),
                  {file_}, leftOut_);
+      if (mesh_.polygons.size() > before) faces_.push_back(first + c);
+    }
+  }
+
+  /// Reads the arrays of the mesh by their names.
+  void readCellData(const pugi::xml_node& data, std::uint32_t cells) {
+    if (faces_.empty()) return;
+    for (FaceArray& array : mesh_.arrays) {
+      const pugi::xml_node found = arrayNamed(data, array.name.c_str());
+      if (!found) failMissing(array.name, data);
+      const int components = found.attribute("NumberOfComponents").as_int(1);
+      if (components < 1) fail({file_}, "the cell data `" + array.name + "` have no components");
+      addCellValues(array, components, arrays_.numbers(found, std::uint64_t{cells} * static_cast<unsigned>(components)),
+                    faces_, {file_});
+    }
+  }
+  [[noreturn]] void failMissing(const std::string& name, const pugi::xml_node& data) const {
+    std::string names;
+    for (const pugi::xml_node& array : data.children("DataArray"))
+      names += (names.empty() ? "`" : ", `") + raster::excerpt(array.attribute("Name").value()) + "`";
+    fail({file_}, "has no cell data `" + raster::excerpt(name) + "`",
+         names.empty() ? "there are none at all" : "there are " + names);
   }
 
   const VtkArrays& arrays_;
@@ -80,11 +107,13 @@ class PieceReader {
   PolygonMesh& mesh_;
   std::uint32_t& leftOut_;
   std::uint32_t first_ = 0, points_ = 0;
+  std::vector<std::uint32_t> faces_;  ///< the numbers of the cells that are faces
 };
 
 }  // namespace
 
-PolygonMesh parseVtkXml(std::string_view bytes, const std::filesystem::path& file) {
+PolygonMesh parseVtkXml(std::string_view bytes, const std::filesystem::path& file,
+                        std::span<const std::string> cellData) {
   const Divided divided = divide(bytes);
   pugi::xml_document document;
   const pugi::xml_parse_result parsed = document.load_buffer(divided.xml.data(), divided.xml.size());
@@ -97,6 +126,7 @@ PolygonMesh parseVtkXml(std::string_view bytes, const std::filesystem::path& fil
          "save it as an unstructured grid or poly data");
   const VtkArrays arrays(root, divided.appended, file);
   PolygonMesh mesh{.sections = {{0, ""}}, .objects = {{"default"}}};
+  for (const std::string& name : cellData) mesh.arrays.push_back({name});
   std::uint32_t leftOut = 0;
   for (const pugi::xml_node& piece : (grid ? grid : poly).children("Piece"))
     PieceReader(arrays, file, mesh, leftOut).read(piece, !grid);

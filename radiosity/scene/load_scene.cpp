@@ -20,6 +20,7 @@
 #include "radiosity/meshes/text_lines.h"
 #include "radiosity/meshes/vs3_file.h"
 #include "radiosity/meshes/vtk_xml_file.h"
+#include "radiosity/scene/face_materials.h"
 #include "radiosity/scene/gltf_file.h"
 #include "radiosity/scene/materials.h"
 #include "radiosity/scene/mesh_sections.h"
@@ -48,19 +49,32 @@ std::string endingOf(const std::filesystem::path& file) {
 
 bool isGltf(const std::filesystem::path& file) { return endingOf(file) == ".gltf" || endingOf(file) == ".glb"; }
 
+using CellNames = std::span<const std::string>;
+
+void refuseCellData(const std::filesystem::path& file, CellNames names) {
+  if (!names.empty()) fail({file}, "has no cell data", "give a VTK file (.vtu, .vtp or .vtk)");
+}
+
+/// A parser of files that have no cell data.
+template <PolygonMesh (*parse)(std::string_view, const std::filesystem::path&)>
+PolygonMesh withoutCellData(std::string_view bytes, const std::filesystem::path& file, CellNames cellData) {
+  refuseCellData(file, cellData);
+  return parse(bytes, file);
+}
+
 /// A format of plain meshes: the end of a file's name, the bytes with which such files start, if they always do, and
-/// the function that parses them.
+/// the function that parses them, with the given cell data.
 struct MeshFormat {
   std::string_view ending, start, name;
-  PolygonMesh (*parse)(std::string_view bytes, const std::filesystem::path& file);
+  PolygonMesh (*parse)(std::string_view bytes, const std::filesystem::path& file, CellNames cellData);
 };
 
-constexpr std::array meshFormats{MeshFormat{".stl", "solid ", "an STL mesh", parseStl},
-                                 MeshFormat{".ply", "ply", "a PLY mesh", parsePly},
+constexpr std::array meshFormats{MeshFormat{".stl", "solid ", "an STL mesh", withoutCellData<parseStl>},
+                                 MeshFormat{".ply", "ply", "a PLY mesh", withoutCellData<parsePly>},
                                  MeshFormat{".vtk", "# vtk DataFile", "a VTK file", parseLegacyVtk},
                                  MeshFormat{".vtu", "<VTKFile", "a VTK file", parseVtkXml},
                                  MeshFormat{".vtp", "<VTKFile", "a VTK file", parseVtkXml},
-                                 MeshFormat{".vs3", "", "a View3D file", parseVs3}};
+                                 MeshFormat{".vs3", "", "a View3D file", withoutCellData<parseVs3>}};
 
 /// A format that is not read.
 struct ForeignFormat {
@@ -105,8 +119,19 @@ void refuseForeignFormat(const std::filesystem::path& file) {
            "give it a name that ends in " + std::string(format.ending));
 }
 
-PolygonMesh readPlainMesh(const MeshFormat& format, const std::filesystem::path& file) {
-  return format.parse(raster::readFile(file, "check the path, and that it is a file you may read"), file);
+/// The faces of a file that is no glTF.
+PolygonMesh readMesh(const std::filesystem::path& file, CellNames cellData) {
+  if (const MeshFormat* plain = meshFormatOf(file))
+    return plain->parse(raster::readFile(file, "check the path, and that it is a file you may read"), file, cellData);
+  refuseCellData(file, cellData);
+  return readObj(file);
+}
+
+/// The names of the cell data that are read.
+std::vector<std::string> cellDataOf(const SceneSettings& settings) {
+  std::set<std::string> names{settings.cellReflectance, settings.cellEmission};
+  names.erase("");
+  return {names.begin(), names.end()};
 }
 
 /// The argument of `mtllib` is one file name with blanks if such a file exists, else one file name per word.
@@ -139,6 +164,12 @@ MaterialChoice chooseMaterials(const std::vector<Section>& sections) {
     choice.ofSection.push_back(known->second);
   }
   return choice;
+}
+
+MaterialSet materialsNamed(const std::vector<std::string>& names, const std::map<std::string, Material>& known) {
+  MaterialSet set;
+  for (const std::string& name : names) set.materials.push_back(known.at(name));
+  return set;
 }
 
 void addSurfaces(Scene& scene, std::vector<Surface> parts, const std::string& family, int material, int object) {
@@ -236,7 +267,7 @@ double brightestEmission(const Scene& scene) {
 
 }  // namespace
 
-Scene makeScene(PolygonMesh mesh, const MaterialSource& materialsNamed, const std::filesystem::path& file,
+Scene makeScene(PolygonMesh mesh, const MaterialSource& materials, const std::filesystem::path& file,
                 const SceneSettings& settings) {
   if (!(settings.maxReflectance >= 0 && settings.maxReflectance < 1)) {
     throw raster::InputError("the largest reflectance must be at least 0 and below 1");
@@ -245,6 +276,7 @@ Scene makeScene(PolygonMesh mesh, const MaterialSource& materialsNamed, const st
     throw raster::InputError("facets have one side each", "leave the other sides out");
   Scene scene;
   if (settings.facets) divideIntoFacets(mesh);
+  const std::map<std::string, Material> ofFaces = divideByMaterials(mesh, settings, file);
   scene.faces = mesh.polygons.size();
   scene.warnings = mesh.warnings;
   scene.objects = mesh.objects;
@@ -252,7 +284,7 @@ Scene makeScene(PolygonMesh mesh, const MaterialSource& materialsNamed, const st
   if (sections.empty()) failEmpty(mesh, file);
 
   const MaterialChoice choice = chooseMaterials(sections);
-  MaterialSet found = materialsNamed(choice.names);
+  MaterialSet found = ofFaces.empty() ? materials(choice.names) : materialsNamed(choice.names, ofFaces);
   scene.materials = std::move(found.materials);
   scene.images = std::move(found.images);
   scene.files = std::move(found.files);
@@ -274,6 +306,7 @@ Scene makeScene(PolygonMesh mesh, const MaterialSource& materialsNamed, const st
 Scene loadScene(const std::filesystem::path& file, const SceneSettings& settings) {
   refuseForeignFormat(file);
   if (isGltf(file)) {
+    refuseCellData(file, cellDataOf(settings));
     const GltfFile gltf = readGltf(file);
     const auto materials = [&](const std::vector<std::string>& names) {
       return gltfMaterials(names, gltf, file, settings);
@@ -284,14 +317,18 @@ Scene loadScene(const std::filesystem::path& file, const SceneSettings& settings
     scene.files.insert(scene.files.begin(), file);
     return scene;
   }
-  const MeshFormat* plain = meshFormatOf(file);
-  PolygonMesh mesh = plain ? readPlainMesh(*plain, file) : readObj(file);
+  PolygonMesh mesh = readMesh(file, cellDataOf(settings));
   const auto materials = [&, files = materialFiles(mesh, file.parent_path())](const std::vector<std::string>& names) {
     return findMaterials(names, files, settings);
   };
   Scene scene = makeScene(std::move(mesh), materials, file, settings);
   scene.files.insert(scene.files.begin(), file);
   return scene;
+}
+
+PolygonMesh readFaces(const std::filesystem::path& file) {
+  refuseForeignFormat(file);
+  return isGltf(file) ? readGltf(file).mesh : readMesh(file, {});
 }
 
 bool isPlainMesh(const std::filesystem::path& file) { return meshFormatOf(file) != nullptr; }

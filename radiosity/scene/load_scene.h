@@ -29,9 +29,13 @@ Scene loadScene(const std::filesystem::path& file, const SceneSettings& settings
 using MaterialSource = std::function<MaterialSet(const std::vector<std::string>& names)>;
 
 /// The scene of a mesh, as loadScene makes it: sections become surfaces with charts. Messages name `file`. Throws
-/// InputError as loadScene, and what `materialsNamed` throws.
-Scene makeScene(PolygonMesh mesh, const MaterialSource& materialsNamed, const std::filesystem::path& file,
+/// InputError as loadScene, and what `materials` throws.
+Scene makeScene(PolygonMesh mesh, const MaterialSource& materials, const std::filesystem::path& file,
                 const SceneSettings& settings = {});
+
+/// The faces of a file as they are there, which facets are numbered by, without materials. Throws InputError as
+/// loadScene.
+PolygonMesh readFaces(const std::filesystem::path& file);
 
 /// Whether a file has a format of plain meshes, without materials, in which each face counts: all but OBJ and glTF.
 bool isPlainMesh(const std::filesystem::path& file);

@@ -3,6 +3,7 @@
 
 #include <numbers>
 #include <optional>
+#include <string>
 
 namespace hemitex::radiosity {
 
@@ -39,6 +40,8 @@ struct SceneSettings {
   /// Each face of the file is a surface, named by its number (see divideIntoFacets). Needs one-sided surfaces.
   bool facets = false;
   EmissionUnit emission = EmissionUnit::Radiosity;  ///< unit of Ke
+  /// The cell data of a VTK file that are the reflectance and the emission of its faces; empty: none.
+  std::string cellReflectance = {}, cellEmission = {};
 };
 
 }  // namespace hemitex::radiosity

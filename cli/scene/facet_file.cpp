@@ -1,0 +1,27 @@
+#include "cli/scene/facet_file.h"
+
+#include "radiosity/meshes/vtu_file.h"
+#include "radiosity/scene/load_scene.h"
+#include "raster/base/input_error.h"
+
+namespace hemitex::cli {
+namespace {
+
+const std::filesystem::path& checked(const std::filesystem::path& file) {
+  if (file.extension() != ".vtu") throw raster::InputError(file.string(), 0, "does not end in .vtu", "rename it");
+  return file;
+}
+
+}  // namespace
+
+FacetFile::FacetFile(const std::filesystem::path& file, const std::set<std::filesystem::path>& inputs)
+    : name_(checked(file).filename()), staging_(std::filesystem::absolute(file).parent_path(), FolderUse::SeveralRuns) {
+  staging_.requirePlaces({name_}, inputs);
+}
+
+void FacetFile::write(const std::filesystem::path& mesh, std::span<const radiosity::FaceArray> arrays) {
+  radiosity::writeVtu(staging_.folder() / name_, radiosity::readFaces(mesh), arrays);
+  staging_.commit();
+}
+
+}  // namespace hemitex::cli
