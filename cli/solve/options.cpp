@@ -2,6 +2,8 @@
 
 #include <limits>
 
+#include "radiosity/scene/load_scene.h"
+
 namespace hemitex::cli {
 namespace {
 
@@ -70,7 +72,8 @@ void addChosenSettings(Command command, SolveOptions& options) {
       addPositive(command.under("Accuracy and memory"), "--max-error", options.maxError, 1,
                   "choose --resolution, --split and --residual so that the expected error is at most this share, such "
                   "as 0.01, both "
-                  "of all flux and of the flux of the surfaces that the camera sees (default: use the given values)");
+                  "of all flux and of the flux of the surfaces that the camera sees; of facets, bound the error of "
+                  "every row of form factors, as `hemitex formfactors` does (default: use the given values)");
   for (const char* chosen : {"--resolution", "--orientation", "--split", "--pixels-per-element", "--residual",
                              "--shots", "--samples", "--seed"})
     maxError.excludes(command.option(chosen));
@@ -82,6 +85,39 @@ void addChosenSettings(Command command, SolveOptions& options) {
   for (const char* other : {"--texel-size", "--max-error"}) adaptive.excludes(command.option(other));
 }
 
+/// Adds --facets, --no-facets and --matrix.
+void addFacetOptions(Command command, SolveOptions& options) {
+  const Option none = command.under("Elements")
+                          .addFlag("--no-facets", options.noFacets,
+                                   "join the faces of a mesh into surfaces with texels, as those of a scene");
+  command.under("Elements")
+      .addFlag("--facets", options.facets,
+               "make every face of the file a surface of one element, numbered from 0, and also write scene.vtu for "
+               "ParaView (default for meshes without materials, such as STL and VTU, unless --two-sided, --adaptive or "
+               "--edits is given)")
+      .excludes(none);
+  const Option matrix = command.under("Form factors")
+                            .addPath("--matrix", options.matrix,
+                                     "take the form factors of facets from this file, which `hemitex formfactors "
+                                     "--all` or another program computed for the same mesh (default: compute them)",
+                                     "FILE");
+  for (const char* other : {"--no-facets", "--texels", "--texel-size", "--surface", "--adaptive", "--max-error",
+                            "--method", "--resolution", "--orientation", "--split", "--edits"})
+    matrix.excludes(command.option(other));
+  command.option("--facets").excludes(command.option("--edits"));
+  command.option("--facets").excludes(command.option("--adaptive"));
+}
+
+/// Chooses facets where they are asked for, and for meshes without materials.
+void completeFacets(Command command, SolveOptions& options) {
+  const bool isDefault = radiosity::isPlainMesh(options.scene.file) && !options.noFacets &&
+                         options.scene.settings.sides != radiosity::Sides::Two && !options.adaptive &&
+                         options.edits.empty();
+  if (!options.facets && !isDefault && options.matrix.empty()) return;
+  chooseFacets(command, options.scene.settings, options.discretization);
+  if (options.maxError) refuseUnused(command, {"--texels", "--texel-size", "--surface"}, "hemicube --max-error");
+}
+
 /// Adds the options of display textures.
 void addTextureOptions(Command command, SolveOptions& options) {
   command = command.under("Output");
@@ -89,7 +125,7 @@ void addTextureOptions(Command command, SolveOptions& options) {
       command, "--filter", options.filter, filterChoices,
       "interpolate elements in display textures: none (one-to-one), by a 3 x 3 triangle filter, bilinear or cubic "
       "B-splines between texels, bilinear in quadtree leaves, or Gouraud shading (default bicubic; "
-      "with --adaptive quadtree)");
+      "with --adaptive quadtree; one-to-one for facets)");
   addInteger(command, "--magnify", options.magnification, 1, maxMagnification,
              "make display textures N times as wide and high as the grid (default 1 with one-to-one, else so that each "
              "surface has at least 128 texels along its longer side, and all have at most 2^26)");
@@ -174,6 +210,7 @@ void addSolveOptions(Command command, SolveOptions& options) {
   addOmissions(command, options);
   addCameraOptions(command, options.camera);
   addEdits(command, options.edits);
+  addFacetOptions(command, options);
   addLongRunOptions(command, options.longRun);
   command.showFirst({"--output", "--report", "--emit", "--reflectance", "--texels", "--resolution", "--max-error",
                      "--residual", "--size"});
@@ -184,6 +221,7 @@ void completeOptions(Command command, SolveOptions& options) {
                options.method);
   // --max-error chooses settings of hemicubes.
   if (options.method != "hemicube") refuseUnused(command, {"--max-error"}, options.method);
+  completeFacets(command, options);
   // Quadtrees need grids of equal powers of two.
   if (options.adaptive && !options.discretization.texels) options.discretization.texels = 16;
   if (const auto projection = projectionNamed(options.method)) options.drawing.projection = *projection;
@@ -197,13 +235,20 @@ void completeOptions(Command command, SolveOptions& options) {
 
 bool usesRays(const SolveOptions& options) { return options.method == "rays"; }
 
+bool boundsRows(const SolveOptions& options) { return options.scene.settings.facets && options.maxError; }
+
+bool writesFacets(const SolveOptions& options) { return options.scene.settings.facets && !options.isContinued; }
+
 double squareMetresPerUnit(const SolveOptions& options) {
   const double metres = options.metresPerUnit.value_or(1);
   return metres * metres;
 }
 
 TextureFilter filterOf(const SolveOptions& options) {
-  return options.filter.value_or(options.adaptive ? TextureFilter::Quadtree : TextureFilter::Bicubic);
+  const bool areFacets = options.scene.settings.facets && options.discretization.texels == 1;
+  return options.filter.value_or(options.adaptive ? TextureFilter::Quadtree
+                                 : areFacets      ? TextureFilter::OneToOne
+                                                  : TextureFilter::Bicubic);
 }
 
 radiosity::Magnification magnificationOf(const SolveOptions& options) {

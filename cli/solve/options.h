@@ -39,6 +39,8 @@ struct SolveOptions {
   bool lightmap = false;                  ///< also write lightmap.glb and light maps
   bool noElements = false;                ///< do not write elements.csv
   bool noTextures = false;                ///< do not write textures, nor the lit scene, which shows them
+  bool facets = false, noFacets = false;  ///< as given; the settings of the scene say what is chosen
+  std::filesystem::path matrix;           ///< with rows of facets; empty: rows are computed
   bool insists = false;                   ///< run whatever the size (see run_size.h)
   LongRunOptions longRun;
   std::filesystem::path output;
@@ -52,6 +54,10 @@ void addSolveOptions(Command command, SolveOptions& options);
 void completeOptions(Command command, SolveOptions& options);
 
 bool usesRays(const SolveOptions& options);
+/// Whether --max-error bounds the rows of facets.
+bool boundsRows(const SolveOptions& options);
+/// Whether scene.vtu shows the facets.
+bool writesFacets(const SolveOptions& options);
 
 /// The area of a square unit of the scene in m^2, by which fluxes per square unit become W.
 double squareMetresPerUnit(const SolveOptions& options);

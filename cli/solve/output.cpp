@@ -1,14 +1,18 @@
 #include "cli/solve/output.h"
 
+#include <array>
 #include <numeric>
 #include <utility>
 
 #include "cli/common/json.h"
 #include "cli/common/table.h"
+#include "cli/scene/surface_names.h"
 #include "radiosity/discretization/patch_points.h"
+#include "radiosity/meshes/vtu_file.h"
 #include "radiosity/pictures/default_camera.h"
 #include "radiosity/pictures/picture_exposure.h"
 #include "radiosity/pictures/pictures.h"
+#include "radiosity/scene/load_scene.h"
 #include "radiosity/textures/light_maps.h"
 #include "radiosity/textures/radiosity_texture.h"
 #include "raster/base/file_io.h"
@@ -68,6 +72,28 @@ radiosity::Image pictureOf(const SolvedScene& solved, const std::optional<radios
   return radiosity::elementPicture(solved.scene, solved.discretization, colours, solved.camera, width, height, sky);
 }
 
+/// The values of the facets that scene.vtu shows. Those without area have zeros.
+std::vector<radiosity::FaceArray> facetArrays(const SolvedScene& solved) {
+  const std::size_t facets = solved.scene.faces;
+  std::vector<double> errors(facets);
+  std::array<radiosity::FaceArray, 3> ofBands{{{"radiosity", 3}, {"emission", 3}, {"reflectance", 3}}};
+  for (radiosity::FaceArray& array : ofBands) array.values.resize(3 * facets);
+  const std::vector<std::uint32_t> facetOf = facetsOf(solved.scene).ofSurface;
+  for (std::uint32_t s = 0; s < facetOf.size(); ++s) {
+    const SurfaceMeans means = meansOf(solved, s);
+    for (int band = 0; band < 3; ++band) {
+      const std::size_t place = 3 * std::size_t{facetOf[s]} + static_cast<std::size_t>(band);
+      ofBands[0].values[place] = means.radiosity[band];
+      ofBands[1].values[place] = means.emission[band];
+      ofBands[2].values[place] = means.reflectance[band];
+    }
+    if (!solved.rowErrors.empty()) errors[facetOf[s]] = solved.rowErrors[s];
+  }
+  std::vector<radiosity::FaceArray> arrays(ofBands.begin(), ofBands.end());
+  if (!solved.rowErrors.empty()) arrays.push_back({"row_error", 1, errors});
+  return arrays;
+}
+
 std::vector<std::string> writeLightMaps(const std::filesystem::path& folder, const SolvedScene& solved,
                                         const radiosity::TextureLayout& layout, const radiosity::PictureView& view) {
   std::vector<glm::dvec3> irradiance = solved.solution.irradiance;
@@ -83,6 +109,7 @@ std::set<std::string> outputNames(const SolveOptions& options, const radiosity::
                                   const radiosity::Discretization& discretization, std::size_t frames) {
   std::set<std::string> names{"scene.view.json", "render.png", "solution.json", "report.html"};
   if (!options.noElements) names.insert("elements.csv");
+  if (writesFacets(options)) names.insert("scene.vtu");
   if (!options.noTextures) {
     names.insert({"scene.obj", "scene.mtl", "scene.glb"});
     for (const std::string& texture : radiosity::layOutTextures(scene, discretization, magnificationOf(options)).names)
@@ -124,6 +151,8 @@ std::vector<std::string> writeSolved(const std::filesystem::path& folder, const 
       warnings.push_back(std::move(warning));
   radiosity::writePng(folder / "render.png", pictureOf(solved, lit));
   raster::writeFile(folder / "scene.view.json", toText(toJson(solved.camera)));
+  if (writesFacets(options))
+    radiosity::writeVtu(folder / "scene.vtu", radiosity::readFaces(options.scene.file), facetArrays(solved));
   if (!options.noElements)
     raster::writeFile(folder / "elements.csv",
                       [&solved](std::ostream& stream) { writeCsv(stream, elementTable(solved)); });
@@ -154,7 +183,8 @@ std::string filesText(const SolveOptions& options) {
     return what + (options.output / file).string() + '\n';
   };
   return '\n' + line("picture:    ", "render.png") + (options.noTextures ? "" : line("lit scene:  ", "scene.obj")) +
-         line("numbers:    ", "solution.json") + (options.report ? line("page:       ", "report.html") : "");
+         (writesFacets(options) ? line("facets:     ", "scene.vtu") : "") + line("numbers:    ", "solution.json") +
+         (options.report ? line("page:       ", "report.html") : "");
 }
 
 }  // namespace hemitex::cli

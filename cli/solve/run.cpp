@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "cli/solve/facet_rows.h"
 #include "radiosity/base/bytes.h"
 #include "radiosity/discretization/adaptive_subdivision.h"
 #include "radiosity/form_factors/scene_form_factors.h"
@@ -19,7 +20,7 @@ namespace {
 struct Stopped {};
 
 /// Whether the next step of a run depends on the radiosity of a solution.
-bool isChoosing(const SolveOptions& options) { return options.adaptive || options.maxError; }
+bool isChoosing(const SolveOptions& options) { return options.adaptive || (options.maxError && !boundsRows(options)); }
 
 /// Tells the other ranks how a solution ended.
 void tellOtherRanks(radiosity::Messenger& ranks, const radiosity::Solution& solution) {
@@ -70,7 +71,7 @@ void solve(SolveResult& result, const radiosity::Scene& scene, Monitor& monitor,
   }
   const std::optional<radiosity::Snapshot> snapshot = monitor.begin();
   result.convergence = {};
-  const radiosity::Progress progress = monitor.progressOf(options.solver, result.convergence);
+  const radiosity::Progress shown = monitor.progressOf(options.solver, result.convergence);
   radiosity::SolveInput input{.scene = scene,
                               .discretization = discretization,
                               .patches = std::move(discretization.patches),
@@ -92,10 +93,25 @@ void solve(SolveResult& result, const radiosity::Scene& scene, Monitor& monitor,
   } else {
     result.captured = radiosity::formFactor(drawn.rows().projection().captured);
   }
+  std::optional<BoundedRows> bounded;
+  if (boundsRows(options)) {
+    bounded.emplace(scene, discretization, *options.maxError);
+    input.rowOf = [&bounded](const radiosity::Patch& patch) { return bounded->row(patch); };
+  }
+  if (!options.matrix.empty()) input.rowOf = matrixRows(options.matrix, scene, discretization);
+  if (bounded || !options.matrix.empty()) {
+    input.split = {};
+    result.captured = 1;
+  }
+  const radiosity::Progress progress = [&](const radiosity::Step& step) {
+    if (bounded) bounded->lookAhead(step);
+    return shown(step);
+  };
   result.solution = options.ranks
                         ? solvedWithRanks(*options.ranks, drawn, std::move(input), progress, monitor.console())
                         : radiosity::solve(std::move(input), progress);
   monitor.console().endProgress();
+  if (bounded) result.rowErrors = bounded->errors();
   if (options.ranks && isChoosing(options)) tellOtherRanks(*options.ranks, result.solution);
   discretization.patches = std::move(result.solution.patches);
   if (result.solution.continuation) result.solution.continuation->rows.ofViews = std::move(ofViews);
@@ -149,11 +165,12 @@ void solveAdaptive(SolveResult& result, const radiosity::Scene& scene, Monitor& 
 SolveResult solveScene(const SolveOptions& asked, const radiosity::Scene& scene, const radiosity::Camera& camera,
                        radiosity::Discretization discretization, Monitor& monitor) {
   SolveResult result{asked, std::move(discretization)};
+  if (boundsRows(asked)) result.options.solver.residual = radiosity::residualFor(*asked.maxError);
   if (!asked.adaptive) result.layout = layoutOf(asked.id, result.discretization, monitor.console());
   try {
     if (asked.adaptive)
       solveAdaptive(result, scene, monitor);
-    else if (asked.maxError)
+    else if (asked.maxError && !boundsRows(asked))
       solveBounded(result, scene, camera, monitor);
     else
       solve(result, scene, monitor);

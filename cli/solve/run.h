@@ -24,6 +24,8 @@ struct SolveResult {
   Convergence convergence = {};
   /// With --max-error, unless a signal stopped the choice.
   std::optional<radiosity::LightErrors> expectedErrors = {};
+  /// With facets and --max-error: the estimated error of the row of each surface; 0 if it did not shoot.
+  std::vector<double> rowErrors = {};
 };
 
 /// Solves the scene as the options ask. With --max-error the seen surfaces are those that `camera` shows.

@@ -7,6 +7,7 @@
 #include "cli/common/json.h"
 #include "cli/common/numbers.h"
 #include "radiosity/index_maps/phantom_indices.h"
+#include "reference/base/hashes/sha256.h"
 
 namespace hemitex::cli {
 
@@ -37,11 +38,7 @@ std::string sheetsText(const ordered_json& sheets) {
   return text + (sheets.size() > maxNames ? ", ...\n" : "\n");
 }
 
-/// The area of a surface's elements, and means over this area.
-struct SurfaceMeans {
-  double area = 0;
-  glm::dvec3 radiosity{0.0}, reflectance{0.0}, emission{0.0};
-};
+}  // namespace
 
 SurfaceMeans meansOf(const SolvedScene& solved, std::uint32_t surface) {
   const radiosity::SurfaceValues reflectance = reflectances(solved.scene, solved.discretization, surface),
@@ -58,6 +55,8 @@ SurfaceMeans meansOf(const SolvedScene& solved, std::uint32_t surface) {
     for (glm::dvec3* mean : {&means.radiosity, &means.reflectance, &means.emission}) *mean /= means.area;
   return means;
 }
+
+namespace {
 
 /// Number of texels completely inside solids.
 std::uint64_t buriedTexels(const radiosity::Discretization& discretization) {
@@ -182,6 +181,7 @@ ordered_json solutionSettings(const SolveOptions& options) {
   settings.update({{"max_error", orNull(options.maxError)},
                    {"residual", options.solver.shots ? ordered_json() : ordered_json(options.solver.residual)},
                    {"shots", orNull(options.solver.shots)}});
+  if (!options.matrix.empty()) settings["matrix"] = reference::sha256OfFile(options.matrix);
   return settings;
 }
 

@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <span>
 #include <string>
 
 #include "cli/solve/options.h"
@@ -23,7 +24,15 @@ struct SolvedScene {
   const radiosity::Discretization& discretization;
   const radiosity::IdLayout& layout;
   const radiosity::Solution& solution;
+  std::span<const double> rowErrors = {};  ///< see SolveResult
 };
+
+/// The area of a surface's elements, and means over this area.
+struct SurfaceMeans {
+  double area = 0;
+  glm::dvec3 radiosity{0.0}, reflectance{0.0}, emission{0.0};
+};
+SurfaceMeans meansOf(const SolvedScene& solved, std::uint32_t surface);
 
 /// The settings that a solution depends on, but not those for showing it.
 nlohmann::ordered_json solutionSettings(const SolveOptions& options);

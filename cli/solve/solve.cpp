@@ -1,5 +1,6 @@
 /// `hemitex solve`: computes the light of an OBJ scene by progressive radiosity. Writes a folder with the lit scene for
 /// OBJ viewers, a picture and the numbers.
+#include <algorithm>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -112,7 +113,7 @@ std::set<std::filesystem::path> inputFiles(const SolveOptions& options, const ra
                                            const std::vector<Frame>& frames) {
   std::set<std::filesystem::path> files(scene.files.begin(), scene.files.end());
   for (const Frame& frame : frames) files.insert(frame.files.begin(), frame.files.end());
-  files.insert({viewFileOf(options.scene.file), options.scene.materials.lightsFile, options.edits});
+  files.insert({viewFileOf(options.scene.file), options.scene.materials.lightsFile, options.edits, options.matrix});
   files.erase(std::filesystem::path());
   return files;
 }
@@ -148,7 +149,8 @@ ordered_json writeResult(const radiosity::Scene& scene, const radiosity::Camera&
                          Laps& laps) {
   Console& console = monitor.console();
   SolveOptions& options = result.options;
-  const SolvedScene solved{options, camera, scene, result.discretization, result.layout, result.solution};
+  const SolvedScene solved{options,       camera,          scene,           result.discretization,
+                           result.layout, result.solution, result.rowErrors};
   console.warnings(unitWarning(solved));
   options.camera.exposure = exposureOf(solved);  // also that of all frames
   std::optional<radiosity::LitScene> lit = litScene(solved);
@@ -162,6 +164,8 @@ ordered_json writeResult(const radiosity::Scene& scene, const radiosity::Camera&
   const std::optional<radiosity::LightErrors>& errors = result.expectedErrors;
   text["expected_error"] = errors ? ordered_json(errors->all) : ordered_json();
   text["expected_error_seen"] = errors ? ordered_json(errors->seen) : ordered_json();
+  if (!result.rowErrors.empty())
+    text["row_error"] = *std::max_element(result.rowErrors.begin(), result.rowErrors.end());
   bool isInterrupted = result.solution.isInterrupted;
   if (!frames.empty() && !isInterrupted)
     isInterrupted = writeFrames(staging.folder(), frames, solved, result, monitor, text);
@@ -196,7 +200,7 @@ void solve(SolveOptions asked, Context& context) {
   asked.ranks = context.ranks.get();
   if (!context.isWriter()) return computeForRankZero(asked, context.console);
   Console& console = context.console;
-  asked.discretization.isUnburied = asked.isContinued;
+  if (asked.isContinued) asked.discretization.isUnburied = true;
   Laps laps;
   const radiosity::Scene scene = sceneOf(asked.scene, console);
   asked.solver.residual = asked.residual.value_or(radiosity::defaultResidual(scene));
@@ -235,7 +239,8 @@ void addSolve(Command program, Context& context) {
       {"data/cornell-box.obj -o lit --report", "house.obj -o lit --sky 1,1,1.2 --sun 1,3,2=4,4,3.5 --max-error 0.02"});
   command.onRead([options, command, &context] {
     completeOptions(command, *options);
-    context.isShared = options->edits.empty() && !usesRays(*options);
+    context.isShared =
+        options->edits.empty() && !usesRays(*options) && !boundsRows(*options) && options->matrix.empty();
     context.command = [options, &context] { solve(*options, context); };
   });
 }

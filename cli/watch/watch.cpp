@@ -211,8 +211,9 @@ void followChange(WatchedSolution& solution, const fs::path& changed, Context& c
 /// Throws a usage error for options that updates of a solution, or the page, do not allow.
 void requireUpdatable(Command command, const SolveOptions& options) {
   for (const char* name : {"--edits", "--adaptive", "--pixels-per-element", "--checkpoint", "--resume", "--every",
-                           "--progress", "--no-textures"})
+                           "--progress", "--no-textures", "--matrix"})
     if (command.isGiven(name)) usageError(name, "is not used by `hemitex watch`; omit it");
+  if (boundsRows(options)) usageError("--max-error", "bounds no rows of facets in `hemitex watch`; omit it");
   if (usesRays(options)) usageError("--method", "`rays` cannot update a solution; use hemicubes");
   if (options.drawing.elementsBy == radiosity::ElementsBy::Mesh)
     usageError("--discretize", "`mesh` cannot update a solution; use texture");

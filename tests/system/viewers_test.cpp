@@ -1,5 +1,5 @@
-/// The files of a lit scene in foreign programs: f3d, and Blender (hidden, target blender_check). Both draw scene.obj
-/// and scene.glb from the camera of render.png.
+/// The files of a lit scene in foreign programs: f3d, VTK, and Blender (hidden, target blender_check). Both draw
+/// scene.obj and scene.glb from the camera of render.png.
 ///
 /// Pictures are compared as sRGB values in [0,1], after averaging 4 x 4 pixels in linear light, because the programs
 /// smooth edges in other ways.
@@ -103,6 +103,23 @@ TEST_CASE("f3d draws scene.obj and scene.glb as render.png", "[viewers]") {
   checkPicture(draw("scene.obj", camera), shell.file("lit"), 0.003);
   // Black materials still reflect some percent of f3d's light.
   checkPicture(draw("emissive.glb", "--camera-index 0"), shell.file("lit"), 0.02);
+}
+
+TEST_CASE("VTK draws the cell data of scene.vtu as render.png", "[viewers]") {
+  const Shell shell;
+  if (shell.execute("command -v xvfb-run && command -v xauth && /usr/bin/python3 -c 'import vtk'").exitCode != 0) {
+    WARN("skipped: python3-vtk9, xvfb or xauth is not installed");
+    return;
+  }
+  shell.output("solve " HEMITEX_DATA "/cornell-box.obj -o lit --facets --max-error 0.02 --no-textures");
+  const json settings = json::parse(readAll(shell.file("lit/solution.json")))["settings"];
+  const Outcome outcome = shell.execute("xvfb-run -a /usr/bin/python3 " HEMITEX_SOURCE
+                                        "/tests/viewers/draw_in_vtk.py lit/scene.vtu radiosity lit/scene.view.json " +
+                                        settings["exposure"].dump() + " 800 600 vtk.png");
+  INFO(outcome.out + outcome.err);
+  REQUIRE(outcome.exitCode == 0);
+  CHECK(outcome.out.find("cells: 19") != std::string::npos);
+  checkPicture(shell.file("vtk.png"), shell.file("lit"), 0.003);
 }
 
 TEST_CASE("Blender imports scene.obj and scene.glb, and draws them as render.png", "[.blender]") {
