@@ -9,6 +9,9 @@ namespace {
 /// In squared extents of the scene: removes rounding noise along cuts, as long as a texel and 1e-17 wide.
 constexpr double minArea = 1e-17;
 
+/// Of the form factor between two pieces, if it is more than the relative error of polygonToPolygon.
+constexpr double maxError = 1e-14;
+
 double areaOf(const SurfacePiece& piece) {
   glm::dvec3 doubled(0);
   for (std::size_t i = 2; i < piece.corner.size(); ++i)
@@ -25,7 +28,7 @@ double formFactor(const ShootingPiece& from, std::span<const SurfacePiece> eleme
   double sum = 0;
   for (const SurfacePiece& to : element)
     if (to.triangle != from.piece->triangle && areaOf(to) > minArea)
-      sum += polygonToPolygon(from.piece->corner, to.corner);
+      sum += polygonToPolygon(from.piece->corner, to.corner, maxError);
   return sum;
 }
 
