@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "cli/common/numbers.h"
-#include "cli/scene/surface_names.h"
+#include "radiosity/scene/surface_names.h"
 #include "raster/base/input_error.h"
 #include "raster/base/parallel.h"
 #include "reference/truth/matrices/matrix_files.h"
@@ -42,7 +42,7 @@ radiosity::RowSource matrixRows(const std::filesystem::path& file, const radiosi
                                 const radiosity::Discretization& discretization) {
   const auto matrix = std::make_shared<const reference::SparseMatrix>(reference::readMatrix(file).matrix);
   requireFormFactors(*matrix, scene.faces, file);
-  const Families facets = facetsOf(scene);
+  const radiosity::Families facets = radiosity::facetsOf(scene);
   return [matrix, facets, &discretization](const radiosity::Patch& patch) {
     const std::size_t count = facets.surfaces.size();
     const reference::SparseRow row = matrix->row(facets.ofSurface[patch.surface]);
