@@ -14,9 +14,9 @@ import sys
 SHOTS = 100
 
 
-def run(arguments):
+def run(arguments, stdout=None):
     """Runs a command. Returns its processor time in seconds and its peak memory in bytes."""
-    process = subprocess.Popen(arguments)
+    process = subprocess.Popen(arguments, stdout=stdout)
     _, status, usage = os.wait4(process.pid, 0)
     process.returncode = os.waitstatus_to_exitcode(status)
     if process.returncode != 0:
