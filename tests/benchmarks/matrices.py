@@ -22,7 +22,7 @@ sys.dont_write_bytecode = True  # no files beside the sources
 from meshes import mesh  # noqa: E402
 from sizes import run  # noqa: E402
 
-SAMPLES = 1 << 22  # rays per row and seed
+SAMPLES = 1 << 21  # rays per row and seed
 ROWS = 60
 
 
@@ -155,7 +155,7 @@ def measure(table, options, name, scene, bounds, has_view3d):
         table.count(compared[2], len(rows), max(compared[0] - compared[1], 0), bound)
     if has_view3d:
         to_view3d(scene, f'{work}/scene.vs3')
-        used = run([options.view3d, f'{work}/scene.vs3', f'{work}/scene.vf'], stdout=open(os.devnull, 'w'))
+        used = run([options.view3d, f'{work}/scene.vs3', f'{work}/scene.vf'], silent=True)
         error, noise, _ = compare(view3d_rows(f'{work}/scene.vf', rows), truth, area, None)
         table.add(name, facets, 'View3D', used, facets * facets, (error, noise, None), len(rows))
 
@@ -185,7 +185,7 @@ def main():
     with open(scene, 'w') as file:
         mesh(file, min(1000, options.largest))
     measure(table, options, 'ball in a room', scene, both, False)
-    for room in ('cornell-box', 'furnished-room'):
+    for room in ('cornell-box', 'pyramid-room'):
         measure(table, options, room, f'{options.data}/{room}.obj', both, False)
     share = table.inside / table.rows
     print(f'{100 * share:.4g} % of {table.rows} rows are inside')

@@ -15,8 +15,9 @@ namespace {
 
 using radiosity::formFactor;
 
-/// A visible part above this is 1: the covered pixels of this program and those of the renderer differ at edges.
-constexpr double wholeVisible = 0.995;
+/// A facet is visible as a whole if no more than this part of it is hidden, and no more than this number of pixels per
+/// view: the covered pixels of this program and those of the renderer differ at edges.
+constexpr double hiddenAtMost = 0.005, hiddenPixelsAtMost = 0.25;
 
 /// A facet whose covered pixels have less light than this number of pixels at the pole has an uncertain visible part.
 constexpr double fewestPixels = 4;
@@ -167,49 +168,51 @@ class FacetFormFactors::Worker {
                  .backsError = static_cast<float>(errorOf(backs_)),
                  .error = errorPerDifference * poleShare_,
                  .points = static_cast<int>(views_.size())};
-    double certain = 0, uncertain = row.surroundings + row.backs;
-    std::vector<bool> isCertain;
     for (const std::uint32_t f : touched_) {
       FacetSums& sums = sums_[f];
       const double seen = sums.seen[0] + sums.seen[1], covered = sums.covered[0] + sums.covered[1];
       double factor = seen / weight, error = errorOf(sums.seen);
-      bool isWhole = false;
       if (covered > fewestPixels * poleShare_ * weight / static_cast<double>(views_.size())) {
         if (sums.unblocked < 0) sums.unblocked = quickFormFactor(scene_.surfaces[facet], scene_.surfaces[f]);
-        const double part = visiblePart(seen, covered);
-        isWhole = part > wholeVisible;
-        factor = sums.unblocked * (isWhole ? 1.0 : part);
-        const double difference =
-            isWhole ? 0
-                    : std::abs(visiblePart(sums.seen[0], sums.covered[0]) - visiblePart(sums.seen[1], sums.covered[1]));
-        error = sums.unblocked * std::max(errorPerDifference * difference, closedFormError);
+        const double hidden = std::max(covered - seen, 0.0);
+        if (hidden <= hiddenAtMost * covered && hidden <= hiddenPixelsAtMost * poleShare_ * weight) {
+          factor = sums.unblocked;
+          error = sums.unblocked * std::max(hidden / covered, closedFormError);
+        } else {
+          const double difference =
+              std::abs(visiblePart(sums.seen[0], sums.covered[0]) - visiblePart(sums.seen[1], sums.covered[1]));
+          factor = sums.unblocked * visiblePart(seen, covered);
+          error = sums.unblocked * std::max(errorPerDifference * difference, closedFormError);
+        }
       }
       if (factor <= 0) continue;
       row.facets.push_back(f);
       row.factors.push_back(factor);
-      isCertain.push_back(isWhole);
-      (isWhole ? certain : uncertain) += factor;
       row.errors.push_back(static_cast<float>(error));
       row.error += error;
     }
-    close(row, isCertain, certain, uncertain);
+    close(row);
     return row;
   }
 
-  /// Scales the shares that are not certain, so that all sum to 1.
-  static void close(FacetRow& row, const std::vector<bool>& isCertain, double certain, double uncertain) {
-    const double left = 1 - certain;
-    if (left > 0 && uncertain > 0) {
-      const double scale = left / uncertain;
-      for (std::size_t i = 0; i < row.factors.size(); ++i)
-        if (!isCertain[i]) row.factors[i] *= scale;
-      row.surroundings *= scale;
-      row.backs *= scale;
-    } else {
-      for (double& factor : row.factors) factor /= certain + uncertain;
-      row.surroundings /= certain + uncertain;
-      row.backs /= certain + uncertain;
-    }
+  /// Changes the shares so that all sum to 1: each in proportion to the square of its error, or all by one factor if a
+  /// share would be negative.
+  static void close(FacetRow& row) {
+    const auto forEachShare = [&row](const auto& visit) {
+      for (std::size_t i = 0; i < row.factors.size(); ++i) visit(row.factors[i], static_cast<double>(row.errors[i]));
+      visit(row.surroundings, static_cast<double>(row.surroundingsError));
+      visit(row.backs, static_cast<double>(row.backsError));
+    };
+    double sum = 0, variance = 0;
+    forEachShare([&](double share, double error) {
+      sum += share;
+      variance += error * error;
+    });
+    const double change = variance > 0 ? (1 - sum) / variance : 0;
+    bool isPossible = variance > 0;
+    forEachShare([&](double share, double error) { isPossible = isPossible && share + change * error * error >= 0; });
+    forEachShare(
+        [&](double& share, double error) { share = isPossible ? share + change * error * error : share / sum; });
   }
 
   const radiosity::Scene& scene_;
