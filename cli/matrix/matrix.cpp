@@ -10,6 +10,8 @@
 #include "cli/scene/facet_file.h"
 #include "cli/scene/scene_options.h"
 #include "radiosity/discretization/discretize.h"
+#include "radiosity/scene/load_scene.h"
+#include "radiosity/scene/mesh_sections.h"
 #include "radiosity/scene/surface_names.h"
 #include "raster/base/input_error.h"
 #include "reference/truth/matrices/matrix_files.h"
@@ -45,11 +47,25 @@ Mesh meshOf(SceneOptions options, Console& console) {
   return mesh;
 }
 
+/// The facets that repeat another one with area, and the other one.
+std::vector<std::pair<std::uint32_t, std::uint32_t>> repeatedFacets(const fs::path& file,
+                                                                    const radiosity::Families& facets) {
+  const std::vector<std::uint32_t> first = radiosity::firstOfEqual(radiosity::readFaces(file));
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> repeated;
+  for (std::uint32_t f = 0; f < first.size(); ++f)
+    if (first[f] != f && !facets.surfaces[first[f]].empty() && facets.surfaces[f].empty())
+      repeated.emplace_back(f, first[f]);
+  return repeated;
+}
+
 void check(const MatrixOptions& options, Context& context) {
   const reference::MatrixFile file = reference::readMatrix(options.matrix);
   const Mesh mesh = meshOf(options.mesh, context.console);
-  const reference::MatrixVerdict verdict = reference::judgeMatrix(
-      file.matrix, {mesh.scene, mesh.discretization, mesh.facets.ofSurface, mesh.facets.names.size()}, options.judge);
+  const reference::MatrixVerdict verdict =
+      reference::judgeMatrix(file.matrix,
+                             {mesh.scene, mesh.discretization, mesh.facets.ofSurface, mesh.facets.names.size(),
+                              repeatedFacets(options.mesh.file, mesh.facets)},
+                             options.judge);
   context.failed = !verdict.problems.empty();
   if (context.json) {
     std::cout << toText({{"problems", verdict.problems},

@@ -93,36 +93,6 @@ std::vector<glm::dvec3> fromSmallest(std::vector<glm::dvec3> positions) {
   return positions;
 }
 
-/// Finds the polygons that repeat an earlier one: the same corners in the same order, and the same material. One of
-/// them hides the other, but both would emit.
-std::vector<bool> repeatedPolygons(const PolygonMesh& mesh) {
-  const auto materialOf = [&](std::uint32_t p) -> const std::string& {
-    return mesh.sections[mesh.polygons[p].section].material;
-  };
-  const auto cornersOf = [&](std::uint32_t p) { return fromSmallest(positionsOf(mesh, mesh.polygons[p])); };
-  std::vector<std::pair<std::size_t, std::uint32_t>> hashes;
-  hashes.reserve(mesh.polygons.size());
-  for (std::uint32_t p = 0; p < mesh.polygons.size(); ++p) {
-    std::size_t hash = 0;
-    for (const glm::dvec3& corner : cornersOf(p))
-      for (int axis = 0; axis < 3; ++axis) boost::hash_combine(hash, corner[axis] + 0.0);  // -0 is 0
-    hashes.emplace_back(hash, p);
-  }
-  std::sort(hashes.begin(), hashes.end());
-  std::vector<bool> isRepeated(mesh.polygons.size(), false);
-  for (std::size_t begin = 0, end = 0; begin < hashes.size(); begin = end) {
-    std::vector<std::uint32_t> different;
-    for (; end < hashes.size() && hashes[end].first == hashes[begin].first; ++end) {
-      const std::uint32_t p = hashes[end].second;
-      isRepeated[p] = std::any_of(different.begin(), different.end(), [&](std::uint32_t earlier) {
-        return materialOf(earlier) == materialOf(p) && cornersOf(earlier) == cornersOf(p);
-      });
-      if (!isRepeated[p]) different.push_back(p);
-    }
-  }
-  return isRepeated;
-}
-
 /// Makes room for the triangles of all polygons, so that the lists are not copied as they grow.
 void reserveTriangles(const PolygonMesh& mesh, std::vector<Section>& sections) {
   std::vector<std::size_t> counts(sections.size());
@@ -134,10 +104,11 @@ void reserveTriangles(const PolygonMesh& mesh, std::vector<Section>& sections) {
 std::vector<Section> cutPolygons(const PolygonMesh& mesh, std::vector<std::string>& warnings) {
   std::vector<Section> sections(mesh.sections.size());
   reserveTriangles(mesh, sections);
-  const std::vector<bool> isRepeated = repeatedPolygons(mesh);
+  // One of two equal polygons hides the other, but both would emit.
+  const std::vector<std::uint32_t> first = firstOfEqual(mesh);
   FaceCount degenerate, crossing, repeated;
   for (std::uint32_t p = 0; p < mesh.polygons.size(); ++p) {
-    if (isRepeated[p]) {
+    if (first[p] != p) {
       repeated.add(mesh, p);
       continue;
     }
@@ -165,6 +136,35 @@ std::vector<Section> cutPolygons(const PolygonMesh& mesh, std::vector<std::strin
 }
 
 }  // namespace
+
+std::vector<std::uint32_t> firstOfEqual(const PolygonMesh& mesh) {
+  const auto materialOf = [&](std::uint32_t p) -> const std::string& {
+    return mesh.sections[mesh.polygons[p].section].material;
+  };
+  const auto cornersOf = [&](std::uint32_t p) { return fromSmallest(positionsOf(mesh, mesh.polygons[p])); };
+  std::vector<std::pair<std::size_t, std::uint32_t>> hashes;
+  hashes.reserve(mesh.polygons.size());
+  for (std::uint32_t p = 0; p < mesh.polygons.size(); ++p) {
+    std::size_t hash = 0;
+    for (const glm::dvec3& corner : cornersOf(p))
+      for (int axis = 0; axis < 3; ++axis) boost::hash_combine(hash, corner[axis] + 0.0);  // -0 is 0
+    hashes.emplace_back(hash, p);
+  }
+  std::sort(hashes.begin(), hashes.end());
+  std::vector<std::uint32_t> first(mesh.polygons.size());
+  for (std::size_t begin = 0, end = 0; begin < hashes.size(); begin = end) {
+    std::vector<std::uint32_t> different;
+    for (; end < hashes.size() && hashes[end].first == hashes[begin].first; ++end) {
+      const std::uint32_t p = hashes[end].second;
+      const auto known = std::find_if(different.begin(), different.end(), [&](std::uint32_t earlier) {
+        return materialOf(earlier) == materialOf(p) && cornersOf(earlier) == cornersOf(p);
+      });
+      first[p] = known == different.end() ? p : *known;
+      if (first[p] == p) different.push_back(p);
+    }
+  }
+  return first;
+}
 
 std::vector<Section> cutIntoSections(const PolygonMesh& mesh, std::vector<std::string>& warnings) {
   std::vector<Section> sections = cutPolygons(mesh, warnings);

@@ -33,6 +33,10 @@ struct Section {
 /// sections are left out.
 std::vector<Section> cutIntoSections(const PolygonMesh& mesh, std::vector<std::string>& warnings);
 
+/// The number of the first polygon with the same corners in the same order, from any corner on, and the same material;
+/// its own number for a polygon that repeats none. One per polygon.
+std::vector<std::uint32_t> firstOfEqual(const PolygonMesh& mesh);
+
 /// Returns `wanted`, or the first of `wanted~2`, `wanted~3`, ... that is not in `taken`, and inserts it there.
 std::string uniqueName(std::set<std::string>& taken, const std::string& wanted);
 

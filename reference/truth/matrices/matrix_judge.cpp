@@ -4,11 +4,13 @@
 #include <cmath>
 #include <functional>
 #include <numbers>
+#include <numeric>
 #include <utility>
 
 #include "raster/base/parallel.h"
 #include "raster/base/short_number.h"
 #include "reference/truth/closed_forms/quick_form_factor.h"
+#include "reference/truth/matrices/facet_order.h"
 #include "reference/truth/rays/monte_carlo_form_factors.h"
 
 namespace hemitex::reference {
@@ -80,11 +82,60 @@ radiosity::Scene turnedOver(const radiosity::Scene& scene) {
   return turned;
 }
 
+/// Two surfaces that a program may see through: `behind` lies behind `front`, or in the same place, and should not be
+/// visible through it.
+struct CoveredPair {
+  std::uint32_t front = 0, behind = 0;
+  bool isOnePlace = false;  ///< both face the same way and are in contact: either of them may receive the light
+};
+
+/// Whether the line through a point along the normal of a surface meets it.
+bool isOver(const radiosity::Surface& surface, const glm::dvec3& normal, const glm::dvec3& point) {
+  return std::any_of(surface.triangles.begin(), surface.triangles.end(), [&](const radiosity::Triangle& triangle) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const glm::dvec3 &a = triangle.position[k], &b = triangle.position[(k + 1) % 3];
+      if (glm::dot(glm::cross(b - a, point - a), normal) < 0) return false;
+    }
+    return true;
+  });
+}
+
+/// The pairs of parallel surfaces one over the other, at a distance of at most a hundredth of the smaller one's size.
+std::vector<CoveredPair> coveredPairs(const radiosity::Scene& scene) {
+  const std::size_t count = scene.surfaces.size();
+  std::vector<glm::dvec3> normal, middle;
+  std::vector<double> size;
+  for (const radiosity::Surface& surface : scene.surfaces) {
+    normal.push_back(radiosity::normal(surface.triangles.front()));
+    middle.push_back(middleOf(surface));
+    size.push_back(std::sqrt(radiosity::area(surface)));
+  }
+  const double contact = radiosity::contactTolerance(scene);
+  std::vector<CoveredPair> pairs;
+  for (std::uint32_t a = 0; a < count; ++a)
+    for (std::uint32_t b = a + 1; b < count; ++b) {
+      const double cosine = glm::dot(normal[a], normal[b]);
+      const double height = glm::dot(normal[a], middle[b] - middle[a]);
+      if (std::abs(cosine) < 1 - 1e-6 || std::abs(height) > 0.01 * std::min(size[a], size[b])) continue;
+      const std::uint32_t larger = size[a] < size[b] ? b : a, smaller = larger == a ? b : a;
+      if (!isOver(scene.surfaces[larger], normal[larger], middle[smaller])) continue;
+      const bool isInFront = height > 0;  // b before a
+      if (cosine > 0 && std::abs(height) <= contact)
+        pairs.push_back({a, b, true});
+      else if (cosine > 0)
+        pairs.push_back({isInFront ? b : a, isInFront ? a : b, false});
+      else if (height <= contact)  // back to back: each hides the other
+        pairs.insert(pairs.end(), {{a, b, false}, {b, a, false}});
+    }
+  return pairs;
+}
+
 class Judge {
  public:
   Judge(const SparseMatrix& matrix, const FacetMesh& mesh, const JudgeSettings& settings)
-      : matrix_(matrix), mesh_(mesh), settings_(settings) {
+      : matrix_(matrix), mesh_(mesh), settings_(settings), pairs_(coveredPairs(mesh.scene)) {
     for (const radiosity::Surface& surface : mesh.scene.surfaces) area_.push_back(radiosity::area(surface));
+    findPlaces();
   }
 
   MatrixVerdict verdict() {
@@ -99,13 +150,51 @@ class Judge {
         closed[s] = quickFormFactor(mesh_.scene.surfaces[row.surface], mesh_.scene.surfaces[s]);
       });
     }
+    joinPlaces();
     checkRows();
+    checkErrors();
     if (!verdict_.problems.empty()) nameFault();
     return verdict_;
   }
 
  private:
   using Value = std::function<double(std::size_t row, std::uint32_t to)>;  ///< of a measured row to a surface
+
+  /// The facets of each place: those of its first surface, of others in the same place, and of their repetitions.
+  void findPlaces() {
+    placeOf_.resize(area_.size());
+    std::iota(placeOf_.begin(), placeOf_.end(), 0U);
+    for (const CoveredPair& pair : pairs_)
+      if (pair.isOnePlace) placeOf_[pair.behind] = placeOf_[pair.front];
+    facetsOf_.resize(area_.size());
+    areaOfPlace_.resize(area_.size());
+    std::vector<std::uint32_t> surfaceOf(mesh_.facets);
+    for (std::uint32_t s = 0; s < area_.size(); ++s) {
+      surfaceOf[facet(s)] = s;
+      facetsOf_[placeOf_[s]].push_back(facet(s));
+      areaOfPlace_[placeOf_[s]] += area_[s];
+    }
+    for (const auto& [repetition, original] : mesh_.repeated) {
+      const std::uint32_t place = placeOf_[surfaceOf[original]];
+      facetsOf_[place].push_back(repetition);
+      areaOfPlace_[place] += area_[surfaceOf[original]];
+    }
+  }
+
+  /// Moves light to the first surface of each place.
+  void joinPlaces() {
+    for (std::size_t r = 0; r < rows_.size(); ++r)
+      for (std::uint32_t s = 0; s < area_.size(); ++s) {
+        const std::uint32_t place = placeOf_[s];
+        if (place == s) continue;
+        TrueRow& row = rows_[r];
+        row.factor[place] += row.factor[s];
+        row.error[place] = std::hypot(row.error[place], row.error[s]);
+        unblocked_[r][place] = std::max(unblocked_[r][place], unblocked_[r][s]) +
+                               (area_[place] == area_[s] ? 0 : std::min(unblocked_[r][place], unblocked_[r][s]));
+        row.factor[s] = row.error[s] = unblocked_[r][s] = 0;
+      }
+  }
 
   std::uint32_t facet(std::uint32_t surface) const { return mesh_.facetOf[surface]; }
   std::string name(std::uint32_t facet) const { return "facet " + std::to_string(facet); }
@@ -160,6 +249,7 @@ class Judge {
     std::pair<std::uint32_t, std::uint32_t> place;
     std::vector<double> area(mesh_.facets, 0.0);  // of the facets
     for (std::uint32_t s = 0; s < area_.size(); ++s) area[facet(s)] = area_[s];
+    for (const auto& [repetition, original] : mesh_.repeated) area[repetition] = area[original];
     for (std::uint32_t i = 0; i < matrix_.rows(); ++i) {
       const SparseRow row = matrix_.row(i);
       for (std::size_t k = 0; k < row.column.size() && row.column[k] < mesh_.facets; ++k) {
@@ -180,7 +270,25 @@ class Judge {
           " % of all exchange; the worst pair is " + name(place.first) + " and " + name(place.second));
   }
 
-  double given(std::size_t row, std::uint32_t to) const { return entry(matrix_, facet(rows_[row].surface), facet(to)); }
+  /// The sum of entries to the place of a surface; 0 if it is that of an earlier surface.
+  double given(std::size_t row, std::uint32_t to) const {
+    double sum = 0;
+    for (const std::uint32_t f : facetsOf_[to]) sum += entry(matrix_, facet(rows_[row].surface), f);
+    return sum;
+  }
+
+  /// The error that the matrix states for it; 0 if it states none.
+  double stated(std::size_t row, std::uint32_t to) const {
+    if (matrix_.error.empty()) return 0;
+    const SparseRow entries = matrix_.row(facet(rows_[row].surface));
+    double sum = 0;
+    for (const std::uint32_t f : facetsOf_[to]) {
+      const auto place = std::lower_bound(entries.column.begin(), entries.column.end(), f);
+      if (place != entries.column.end() && *place == f)
+        sum += static_cast<double>(entries.error[static_cast<std::size_t>(place - entries.column.begin())]);
+    }
+    return sum;
+  }
 
   /// Where the given rows leave their intervals.
   void checkRows() {
@@ -203,8 +311,8 @@ class Judge {
       const TrueRow& row = rows_[r];
       for (std::uint32_t to = 0; to < area_.size(); ++to) {
         const double found = given(r, to), truth = row.factor[to], closed = unblocked_[r][to];
-        const double allowed =
-            confidence * row.error[to] + settings_.tolerance * std::max(found, truth) + smallestFactor;
+        const double allowed = confidence * std::hypot(row.error[to], stated(r, to)) +
+                               settings_.tolerance * std::max(found, truth) + smallestFactor;
         difference += area_[row.surface] * std::abs(found - truth);
         noise += area_[row.surface] * row.error[to];
         sum += area_[row.surface] * truth;
@@ -235,6 +343,22 @@ class Judge {
     tell(outside, "differ from rays");
   }
 
+  /// Whether the errors that the matrix states explain its differences from rays.
+  void checkErrors() {
+    if (matrix_.error.empty()) return;
+    double difference = 0, expected = 0, all = 0;
+    for (std::size_t r = 0; r < rows_.size(); ++r)
+      for (std::uint32_t to = 0; to < area_.size(); ++to) {
+        const double area = area_[rows_[r].surface];
+        difference += area * std::abs(given(r, to) - rows_[r].factor[to]);
+        expected += area * (stated(r, to) + rows_[r].error[to]);
+        all += area * rows_[r].factor[to];
+      }
+    if (difference > 4 * expected + 0.01 * all)
+      add("entries of the measured rows are off by " + shortNumber(difference / expected) +
+          " times the errors that the matrix states");
+  }
+
   /// The sum of the differences of two matrices in the measured rows, by area.
   double distance(const Value& a, const Value& b) const {
     double sum = 0;
@@ -258,20 +382,56 @@ class Judge {
     };
     considerChangedMatrices(consider, truth);
     considerChangedTruths(consider, matrix);
+    if (!verdict_.fault) considerOrders(consider, truth);
+  }
+
+  /// The entry of a measured row, to the place of a surface, in a matrix whose facet f has the number other(f). Facets
+  /// that no facet moves to are not compared.
+  template <typename Other>
+  Value moved(const Value& truth, const Other& other) const {
+    return [this, &truth, other](std::size_t r, std::uint32_t to) {
+      const auto count = static_cast<std::int64_t>(mesh_.facets);
+      const std::int64_t i = other(facet(rows_[r].surface));
+      double sum = 0;
+      for (const std::uint32_t f : facetsOf_[to]) {
+        const std::int64_t j = other(f);
+        if (i < 0 || j < 0 || i >= count || j >= count) return truth(r, to);
+        sum += entry(matrix_, static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j));
+      }
+      return sum;
+    };
+  }
+
+  /// Facets in any other order, by rough rows of all facets.
+  template <typename Consider>
+  void considerOrders(const Consider& consider, const Value& truth) const {
+    const std::size_t facets = mesh_.facets;
+    if (facets > maxOrderedFacets) return;
+    SquareMatrix given{facets, std::vector<double>(facets * facets)}, rough = given;
+    for (std::uint32_t i = 0; i < facets; ++i)
+      for (std::uint32_t j = 0; j < facets; ++j) given.entries[i * facets + j] = entry(matrix_, i, j);
+    JudgeSettings settings = settings_;
+    settings.rows = static_cast<int>(area_.size());
+    settings.samples = 1 << 14;
+    for (const TrueRow& row : measuredRows(mesh_, settings))
+      for (std::uint32_t to = 0; to < area_.size(); ++to)
+        rough.entries[facet(row.surface) * facets + facet(to)] = row.factor[to];
+    const auto order = facetOrder(given, rough);
+    if (!order) return;
+    std::size_t others = 0;
+    std::string examples;
+    for (std::uint32_t f = 0; f < facets; ++f) {
+      if ((*order)[f] == f || area_.empty()) continue;
+      if (++others <= 3)
+        examples += (others == 1 ? ": " : ", ") + name(f) + " has the number " + std::to_string((*order)[f]);
+    }
+    consider("facets are in another order" + examples + (others > 3 ? ", ..." : ""),
+             moved(truth, [&](std::uint32_t f) { return static_cast<std::int64_t>((*order)[f]); }), truth);
   }
 
   /// Faults that are undone by a change of the matrix.
   template <typename Consider>
   void considerChangedMatrices(const Consider& consider, const Value& truth) const {
-    // Facets that no facet moves to are not compared.
-    const auto moved = [this, &truth](const auto& other) -> Value {
-      return [this, &truth, other](std::size_t r, std::uint32_t to) {
-        const std::int64_t count = static_cast<std::int64_t>(mesh_.facets);
-        const std::int64_t i = other(facet(rows_[r].surface)), j = other(facet(to));
-        if (i < 0 || j < 0 || i >= count || j >= count) return truth(r, to);
-        return entry(matrix_, static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j));
-      };
-    };
     const auto scaled = [this](const auto& factor) -> Value {
       return [this, factor](std::size_t r, std::uint32_t to) { return factor(r, to) * given(r, to); };
     };
@@ -287,11 +447,11 @@ class Judge {
              truth);
     consider("entries are divided by pi", scaled([](std::size_t, std::uint32_t) { return std::numbers::pi; }), truth);
     const auto last = static_cast<std::int64_t>(mesh_.facets) - 1;
-    consider("facets are in reversed order", moved([last](std::int64_t f) { return last - f; }), truth);
+    consider("facets are in reversed order", moved(truth, [last](std::int64_t f) { return last - f; }), truth);
     consider("facets are shifted by one, as if counted from 1 instead of 0",
-             moved([](std::int64_t f) { return f + 1; }), truth);
+             moved(truth, [](std::int64_t f) { return f + 1; }), truth);
     consider("facets are shifted by one, as if counted from 0 instead of 1",
-             moved([](std::int64_t f) { return f - 1; }), truth);
+             moved(truth, [](std::int64_t f) { return f - 1; }), truth);
   }
 
   /// Faults that predict another matrix than the true one.
@@ -306,6 +466,7 @@ class Judge {
              [this](std::size_t r, std::uint32_t to) {
                return rows_[r].sum > 0 ? rows_[r].factor[to] / rows_[r].sum : 0.0;
              });
+    considerCovered(consider, matrix);
     const std::vector<std::vector<bool>> sees = centresThatSee();
     consider("partly hidden pairs are decided by their centres", matrix,
              [&](std::size_t r, std::uint32_t to) { return sees[r][to] ? unblocked_[r][to] : 0.0; });
@@ -314,6 +475,30 @@ class Judge {
     const std::vector<TrueRow> rows = measuredRows(other, settings_);
     consider("all normals are turned over", matrix,
              [&](std::size_t r, std::uint32_t to) { return rows[r].factor[to]; });
+  }
+
+  /// Each facet of a place receives as much as if it were alone there. The same for facets right behind another.
+  template <typename Consider>
+  void considerCovered(const Consider& consider, const Value& matrix) const {
+    std::optional<std::string> inOnePlace, behind;  // the first pair
+    const auto pairOf = [this](std::uint32_t a, std::uint32_t b) { return name(a) + " and " + std::to_string(b); };
+    if (!mesh_.repeated.empty()) inOnePlace = pairOf(mesh_.repeated.front().second, mesh_.repeated.front().first);
+    std::vector<std::vector<std::uint32_t>> fronts(area_.size());
+    for (const CoveredPair& pair : pairs_) {
+      std::optional<std::string>& first = pair.isOnePlace ? inOnePlace : behind;
+      if (!first) first = pairOf(facet(pair.front), facet(pair.behind));
+      if (!pair.isOnePlace) fronts[pair.behind].push_back(pair.front);
+    }
+    const Value seenTogether = [this](std::size_t r, std::uint32_t to) {
+      return placeOf_[to] == to ? areaOfPlace_[to] / area_[to] * rows_[r].factor[to] : 0.0;
+    };
+    const Value seenBehind = [&](std::size_t r, std::uint32_t to) {
+      double sum = rows_[r].factor[to];
+      for (const std::uint32_t front : fronts[to]) sum += rows_[r].factor[front];
+      return sum;
+    };
+    if (inOnePlace) consider("facets in one place are all visible, such as " + *inOnePlace, matrix, seenTogether);
+    if (behind) consider("facets right behind others are visible, such as " + *behind, matrix, seenBehind);
   }
 
   /// Whether the line between the centres of a measured facet and another is free.
@@ -345,6 +530,10 @@ class Judge {
   const FacetMesh& mesh_;
   JudgeSettings settings_;
   std::vector<double> area_;  ///< of the surfaces
+  std::vector<CoveredPair> pairs_;
+  std::vector<std::uint32_t> placeOf_;                ///< the first surface in the place of each
+  std::vector<std::vector<std::uint32_t>> facetsOf_;  ///< of the place of each surface that is the first there
+  std::vector<double> areaOfPlace_;                   ///< of these facets
   std::vector<TrueRow> rows_;
   std::vector<std::vector<double>> unblocked_;  ///< of the measured rows
   MatrixVerdict verdict_;

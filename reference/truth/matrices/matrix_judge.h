@@ -6,6 +6,9 @@
 /// - closed forms without blockers, which no entry may exceed, and which are 0 where nothing can be seen;
 /// - rays from some facets, whose intervals contain the true form factors with a confidence of about 1 - 1e-6 each.
 ///
+/// Where facets lie in one place, light to them may be divided between them in any way: their sum is judged. Errors of
+/// entries that a matrix states widen the intervals; they are a problem of their own if they are far too small.
+///
 /// If entries leave their intervals, known faults are tried: each predicts another matrix, such as the transposed one.
 /// The fault whose prediction fits the given rows far better than the truth is named.
 #pragma once
@@ -13,6 +16,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "radiosity/discretization/discretization.h"
@@ -27,6 +31,8 @@ struct FacetMesh {
   const radiosity::Discretization& discretization;
   std::vector<std::uint32_t> facetOf;  ///< of each surface; ascending
   std::size_t facets = 0;              ///< also those without area, which have no surface
+  /// Facets that have no surface because they repeat another, corner for corner, and the other one.
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> repeated = {};
 };
 
 struct JudgeSettings {

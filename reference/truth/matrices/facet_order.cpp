@@ -1,0 +1,156 @@
+#include "reference/truth/matrices/facet_order.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <numeric>
+
+#include "raster/base/parallel.h"
+
+namespace hemitex::reference {
+namespace {
+
+using Order = std::vector<std::uint32_t>;
+/// How badly a facet of the truth and one of the given matrix fit.
+using Costs = SquareMatrix;
+
+constexpr std::size_t largestEntries = 16;  ///< of a row and of a column, by which facets are first matched
+
+SquareMatrix transposed(const SquareMatrix& matrix) {
+  SquareMatrix result{matrix.size, std::vector<double>(matrix.entries.size())};
+  for (std::size_t i = 0; i < matrix.size; ++i)
+    for (std::size_t j = 0; j < matrix.size; ++j) result.entries[j * matrix.size + i] = matrix.at(i, j);
+  return result;
+}
+
+/// The sum and the largest entries of each row, sorted.
+std::vector<std::vector<double>> rowsSorted(const SquareMatrix& matrix) {
+  std::vector<std::vector<double>> result(matrix.size);
+  raster::parallelFor(matrix.size, [&](std::size_t r) {
+    const auto begin = matrix.entries.begin() + static_cast<std::ptrdiff_t>(r * matrix.size);
+    std::vector<double> row(begin, begin + static_cast<std::ptrdiff_t>(matrix.size));
+    const double sum = std::accumulate(row.begin(), row.end(), 0.0);
+    const auto middle = row.begin() + static_cast<std::ptrdiff_t>(std::min(largestEntries, row.size()));
+    std::partial_sort(row.begin(), middle, row.end(), std::greater<>());
+    row.erase(middle, row.end());
+    row.push_back(sum);
+    result[r] = std::move(row);
+  });
+  return result;
+}
+
+/// Adds the differences of sorted rows to the costs.
+void addSorted(Costs& costs, const SquareMatrix& given, const SquareMatrix& truth) {
+  const auto ofGiven = rowsSorted(given), ofTruth = rowsSorted(truth);
+  raster::parallelFor(costs.size, [&](std::size_t i) {
+    for (std::size_t p = 0; p < costs.size; ++p)
+      for (std::size_t k = 0; k < ofTruth[i].size(); ++k)
+        costs.entries[i * costs.size + p] += std::abs(ofTruth[i][k] - ofGiven[p][k]);
+  });
+}
+
+/// Gives each facet the free one of the smallest cost, the most certain facets first.
+Order assigned(const Costs& costs) {
+  const std::size_t size = costs.size;
+  const auto row = [&](std::size_t i) { return costs.entries.begin() + static_cast<std::ptrdiff_t>(i * size); };
+  std::vector<double> smallest(size);
+  for (std::size_t i = 0; i < size; ++i)
+    smallest[i] = *std::min_element(row(i), row(i) + static_cast<std::ptrdiff_t>(size));
+  std::vector<std::uint32_t> facets(size);
+  std::iota(facets.begin(), facets.end(), 0U);
+  std::stable_sort(facets.begin(), facets.end(), [&](auto a, auto b) { return smallest[a] < smallest[b]; });
+  Order order(size);
+  std::vector<bool> isTaken(size);
+  for (const std::uint32_t i : facets) {
+    std::size_t best = size;
+    for (std::size_t p = 0; p < size; ++p)
+      if (!isTaken[p] && (best == size || costs.at(i, p) < costs.at(i, best))) best = p;
+    isTaken[best] = true;
+    order[i] = static_cast<std::uint32_t>(best);
+  }
+  return order;
+}
+
+/// A matrix and its transposed one, so that columns are read as fast as rows.
+struct BothWays {
+  const SquareMatrix& rows;
+  SquareMatrix columns = transposed(rows);
+};
+
+/// Adds to the costs how entries from and to the facets of `known` differ, which are matched by `order`.
+Costs withKnown(Costs costs, const BothWays& given, const BothWays& truth, const Order& order,
+                const std::vector<std::uint32_t>& known) {
+  const std::size_t size = costs.size;
+  raster::parallelFor(size, [&](std::size_t i) {
+    for (const std::uint32_t k : known)
+      for (std::size_t p = 0; p < size; ++p)
+        costs.entries[i * size + p] += std::abs(truth.columns.at(k, i) - given.columns.at(order[k], p)) +
+                                       std::abs(truth.rows.at(k, i) - given.rows.at(order[k], p));
+  });
+  return costs;
+}
+
+/// The sum of the differences in an order, over the sum of the truth.
+double difference(const SquareMatrix& given, const SquareMatrix& truth, const Order& order) {
+  double apart = 0, sum = 0;
+  for (std::size_t i = 0; i < truth.size; ++i)
+    for (std::size_t j = 0; j < truth.size; ++j) {
+      apart += std::abs(truth.at(i, j) - given.at(order[i], order[j]));
+      sum += truth.at(i, j);
+    }
+  return sum > 0 ? apart / sum : 0;
+}
+
+}  // namespace
+
+std::optional<Order> facetOrder(const SquareMatrix& given, const SquareMatrix& truth) {
+  constexpr int maxTries = 12, maxRounds = 6;
+  constexpr std::size_t maxKnown = 64;
+  constexpr double enough = 0.25;
+  const std::size_t size = truth.size;
+  const BothWays ofGiven{given}, ofTruth{truth};
+  Costs alone{size, std::vector<double>(size * size, 0.0)};
+  addSorted(alone, given, truth);
+  addSorted(alone, ofGiven.columns, ofTruth.columns);
+
+  // Facets that exchange the most say the most of others.
+  std::vector<double> exchange(size);
+  for (std::size_t i = 0; i < size; ++i)
+    for (std::size_t j = 0; j < size; ++j) exchange[i] += truth.at(i, j) + truth.at(j, i);
+  std::vector<std::uint32_t> known(size);
+  std::iota(known.begin(), known.end(), 0U);
+  std::stable_sort(known.begin(), known.end(), [&](auto a, auto b) { return exchange[a] > exchange[b]; });
+  const std::uint32_t first = known.front();
+  known.resize(std::min(size, maxKnown));
+
+  std::vector<std::uint32_t> candidates(size);
+  std::iota(candidates.begin(), candidates.end(), 0U);
+  std::stable_sort(candidates.begin(), candidates.end(),
+                   [&](auto a, auto b) { return alone.at(first, a) < alone.at(first, b); });
+  candidates.resize(std::min<std::size_t>(size, maxTries));
+  Order best;
+  double smallest = enough;
+  for (const std::uint32_t candidate : candidates) {
+    Order order(size);
+    order[first] = candidate;
+    Costs ofPair = withKnown(alone, ofGiven, ofTruth, order, std::vector<std::uint32_t>(4, first));
+    for (std::size_t p = 0; p < size; ++p)
+      ofPair.entries[first * size + p] = p == candidate ? -1 : std::numeric_limits<double>::max();
+    order = assigned(ofPair);
+    for (int round = 0; round < maxRounds; ++round) {
+      const Order next = assigned(withKnown(ofPair, ofGiven, ofTruth, order, known));
+      if (next == order) break;
+      order = next;
+    }
+    const double apart = difference(given, truth, order);
+    if (apart >= smallest) continue;
+    smallest = apart;
+    best = order;
+    if (apart < enough / 4) break;
+  }
+  if (best.empty()) return std::nullopt;
+  return best;
+}
+
+}  // namespace hemitex::reference
