@@ -1,12 +1,35 @@
 /// hemitex matrix: judges and compares the matrices that formfactors writes.
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <string>
 
+#include "reference/truth/matrices/matrix_files.h"
 #include "tests/support/shell.h"
 
 using namespace hemitex::tests;
 using nlohmann::json;
+
+namespace {
+
+/// What a foreign program printed of a matrix: a line with its numbers of rows, columns and entries, then its entries.
+void checkPrinted(const std::string& text, const hemitex::reference::SparseMatrix& matrix) {
+  const std::vector<std::string> lines = linesOf(text);
+  REQUIRE(lines.size() == matrix.value.size() + 1);
+  CHECK(lines.front().ends_with(std::to_string(matrix.rows()) + " " + std::to_string(matrix.columns) + " " +
+                                std::to_string(matrix.value.size())));
+  std::size_t k = 0;
+  for (std::size_t row = 0; row < matrix.rows(); ++row)
+    for (; k < matrix.rowStart[row + 1]; ++k) {
+      std::istringstream words(lines[k + 1]);
+      std::size_t foundRow = 0, column = 0;
+      std::string value;
+      words >> foundRow >> column >> value;
+      CHECK((foundRow == row && column == matrix.column[k] && std::stod(value) == matrix.value[k]));
+    }
+}
+
+}  // namespace
 
 TEST_CASE("hemitex matrix check accepts a matrix of formfactors, and names the fault of a spoiled one", "[cli]") {
   const Shell shell;
@@ -44,4 +67,26 @@ TEST_CASE("hemitex matrix compare of a matrix with itself is 0, and of two metho
   CHECK(difference["difference"] > 0);
   CHECK(difference["difference"] < 0.01);
   CHECK(difference["facets"].size() == 6);
+}
+
+TEST_CASE("SciPy and Octave read the same matrices from .npz, .mtx and .csv", "[cli]") {
+  const Shell shell;
+  const std::string box = HEMITEX_DATA "/cornell-box.obj --all --facets --max-error 0.05 -o ";
+  for (const char* file : {"F.npz", "F.mtx", "F.csv"}) shell.output("formfactors " + box + file);
+  const hemitex::reference::SparseMatrix matrix = hemitex::reference::readMatrix(shell.file("F.npz")).matrix;
+  const auto check = [&](const std::string& needed, const std::string& reading) {
+    if (shell.execute(needed).exitCode != 0) {
+      WARN("skipped: `" + needed + "` fails, so that nothing is read with it");
+      return;
+    }
+    const Outcome outcome = shell.execute(reading);
+    INFO(reading << outcome.err);
+    REQUIRE(outcome.exitCode == 0);
+    checkPrinted(outcome.out, matrix);
+  };
+  for (const std::string file : {"F.npz", "F.mtx"})
+    check("/usr/bin/python3 -c 'import scipy'",
+          "/usr/bin/python3 " HEMITEX_SOURCE "/tests/viewers/read_matrix.py " + file);
+  for (const std::string file : {"F.mtx", "F.csv"})
+    check("command -v octave-cli", "octave-cli --norc " HEMITEX_SOURCE "/tests/viewers/read_matrix.m " + file);
 }
