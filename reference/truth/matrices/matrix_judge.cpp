@@ -86,7 +86,8 @@ radiosity::Scene turnedOver(const radiosity::Scene& scene) {
 /// visible through it.
 struct CoveredPair {
   std::uint32_t front = 0, behind = 0;
-  bool isOnePlace = false;  ///< both face the same way and are in contact: either of them may receive the light
+  bool isOnePlace = false;    ///< both face the same way and are in contact: either of them may receive the light
+  bool isBackToBack = false;  ///< both face away from each other and are in contact
 };
 
 /// Whether the line through a point along the normal of a surface meets it.
@@ -98,6 +99,19 @@ bool isOver(const radiosity::Surface& surface, const glm::dvec3& normal, const g
     }
     return true;
   });
+}
+
+/// Whether one of two parallel surfaces covers the middle of the other, or a point near one of its corners.
+bool areOver(const radiosity::Surface& a, const radiosity::Surface& b) {
+  const auto covers = [](const radiosity::Surface& surface, const radiosity::Surface& other) {
+    const glm::dvec3 normal = radiosity::normal(surface.triangles.front()), middle = middleOf(other);
+    if (isOver(surface, normal, middle)) return true;
+    for (const radiosity::Triangle& triangle : other.triangles)
+      for (const glm::dvec3& corner : triangle.position)
+        if (isOver(surface, normal, corner + 0.01 * (middle - corner))) return true;
+    return false;
+  };
+  return covers(a, b) || covers(b, a);
 }
 
 /// The pairs of parallel surfaces one over the other, at a distance of at most a hundredth of the smaller one's size.
@@ -117,15 +131,15 @@ std::vector<CoveredPair> coveredPairs(const radiosity::Scene& scene) {
       const double cosine = glm::dot(normal[a], normal[b]);
       const double height = glm::dot(normal[a], middle[b] - middle[a]);
       if (std::abs(cosine) < 1 - 1e-6 || std::abs(height) > 0.01 * std::min(size[a], size[b])) continue;
-      const std::uint32_t larger = size[a] < size[b] ? b : a, smaller = larger == a ? b : a;
-      if (!isOver(scene.surfaces[larger], normal[larger], middle[smaller])) continue;
+      if (!areOver(scene.surfaces[a], scene.surfaces[b])) continue;
       const bool isInFront = height > 0;  // b before a
       if (cosine > 0 && std::abs(height) <= contact)
-        pairs.push_back({a, b, true});
+        pairs.push_back({.front = a, .behind = b, .isOnePlace = true});
       else if (cosine > 0)
-        pairs.push_back({isInFront ? b : a, isInFront ? a : b, false});
+        pairs.push_back({.front = isInFront ? b : a, .behind = isInFront ? a : b});
       else if (height <= contact)  // back to back: each hides the other
-        pairs.insert(pairs.end(), {{a, b, false}, {b, a, false}});
+        for (const auto& [front, behind] : {std::pair(a, b), {b, a}})
+          pairs.push_back({.front = front, .behind = behind, .isBackToBack = height >= -contact});
     }
   return pairs;
 }
@@ -160,12 +174,19 @@ class Judge {
  private:
   using Value = std::function<double(std::size_t row, std::uint32_t to)>;  ///< of a measured row to a surface
 
+  /// Whether light may go to the front of a surface or to the back of another one in the same place, as in a solid that
+  /// touches both the surface and the one that sends the light.
+  bool isTied(std::size_t row, std::uint32_t to) const { return touches_[rows_[row].surface] && touches_[to]; }
+
   /// The facets of each place: those of its first surface, of others in the same place, and of their repetitions.
   void findPlaces() {
     placeOf_.resize(area_.size());
     std::iota(placeOf_.begin(), placeOf_.end(), 0U);
     for (const CoveredPair& pair : pairs_)
       if (pair.isOnePlace) placeOf_[pair.behind] = placeOf_[pair.front];
+    touches_.resize(area_.size());
+    for (const CoveredPair& pair : pairs_)
+      if (pair.isBackToBack) touches_[pair.front] = true;
     facetsOf_.resize(area_.size());
     areaOfPlace_.resize(area_.size());
     std::vector<std::uint32_t> surfaceOf(mesh_.facets);
@@ -313,12 +334,14 @@ class Judge {
         const double found = given(r, to), truth = row.factor[to], closed = unblocked_[r][to];
         const double allowed = confidence * std::hypot(row.error[to], stated(r, to)) +
                                settings_.tolerance * std::max(found, truth) + smallestFactor;
+        const double beyond = found - closed * (1 + std::max(settings_.tolerance, 2e-3));
+        if (isTied(r, to) && beyond <= smallestFactor) continue;
         difference += area_[row.surface] * std::abs(found - truth);
         noise += area_[row.surface] * row.error[to];
         sum += area_[row.surface] * truth;
         if (closed == 0 && found > smallestFactor)
           count(impossible, r, to, found, found, "nothing can be seen");
-        else if (found > closed * (1 + std::max(settings_.tolerance, 2e-3)) + smallestFactor)
+        else if (beyond > smallestFactor)
           count(above, r, to, found - closed, found, "the closed form without blockers is " + shortNumber(closed));
         else if (found == 0 && truth > allowed)
           count(missing, r, to, truth, found, "rays measure " + shortNumber(truth));
@@ -349,6 +372,7 @@ class Judge {
     double difference = 0, expected = 0, all = 0;
     for (std::size_t r = 0; r < rows_.size(); ++r)
       for (std::uint32_t to = 0; to < area_.size(); ++to) {
+        if (isTied(r, to)) continue;
         const double area = area_[rows_[r].surface];
         difference += area * std::abs(given(r, to) - rows_[r].factor[to]);
         expected += area * (stated(r, to) + rows_[r].error[to]);
@@ -531,6 +555,7 @@ class Judge {
   JudgeSettings settings_;
   std::vector<double> area_;  ///< of the surfaces
   std::vector<CoveredPair> pairs_;
+  std::vector<bool> touches_;                         ///< whether another surface touches the back of each
   std::vector<std::uint32_t> placeOf_;                ///< the first surface in the place of each
   std::vector<std::vector<std::uint32_t>> facetsOf_;  ///< of the place of each surface that is the first there
   std::vector<double> areaOfPlace_;                   ///< of these facets

@@ -6,8 +6,10 @@
 /// - closed forms without blockers, which no entry may exceed, and which are 0 where nothing can be seen;
 /// - rays from some facets, whose intervals contain the true form factors with a confidence of about 1 - 1e-6 each.
 ///
-/// Where facets lie in one place, light to them may be divided between them in any way: their sum is judged. Errors of
-/// entries that a matrix states widen the intervals; they are a problem of their own if they are far too small.
+/// Where facets lie in one place, light to them may be divided between them in any way: their sum is judged. Where
+/// facets touch each other back to back, light inside of a solid may meet the front of one or the back of the other,
+/// and is not judged. Errors of entries that a matrix states widen the intervals; they are a problem of their own if
+/// they are far too small.
 ///
 /// If entries leave their intervals, known faults are tried: each predicts another matrix, such as the transposed one.
 /// The fault whose prediction fits the given rows far better than the truth is named.
