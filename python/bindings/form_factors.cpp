@@ -88,8 +88,9 @@ py::dict formFactorRow(const SharedElements& elements, const py::object& source,
   const Settings settings(given);
   const bool bySurface = settings.flag("by_surface").value_or(false);
   const radiosity::Families families = familiesOf(*elements);
-  const RowReceivers receivers = bySurface ? reference::familiesAsReceivers(elements->discretization, families)
-                                           : reference::elementsAsReceivers(elements->discretization);
+  const RowReceivers receivers =
+      bySurface ? reference::familiesAsReceivers(*elements->scene, elements->discretization, families)
+                : reference::elementsAsReceivers(elements->discretization);
   const reference::Source from = sourceOf(*elements, source);
   const reference::RowMethod method = methodOf(*elements, receivers, settings, makeRenderer);
   Progress told(std::move(progress));
@@ -117,11 +118,12 @@ py::dict formFactorMatrix(const SharedElements& elements, const py::dict& given,
                           py::object progress) {
   const Settings settings(given);
   const radiosity::Families families = familiesOf(*elements);
-  const RowReceivers receivers = reference::familiesAsReceivers(elements->discretization, families);
+  const RowReceivers receivers = reference::familiesAsReceivers(*elements->scene, elements->discretization, families);
   const reference::RowMethod method = methodOf(*elements, receivers, settings, makeRenderer);
   const std::size_t count = families.names.size();
   reference::SparseMatrix matrix{.columns = count};
   std::vector<double> surroundings, backs, errors;
+  bool hasErrors = false;
   Progress told(std::move(progress));
   unlocked([&] {
     for (std::size_t from = 0; from < count; ++from) {
@@ -132,10 +134,10 @@ py::dict formFactorMatrix(const SharedElements& elements, const py::dict& given,
       backs.push_back(row.back.value_or(0));
       const double random = std::accumulate(row.standardError.begin(), row.standardError.end(), 0.0);
       errors.push_back(row.error.value_or(random));
+      hasErrors = hasErrors || row.error || !row.standardError.empty();
     }
     told.tell(1);
   });
-  const bool hasErrors = std::any_of(errors.begin(), errors.end(), [](double error) { return error > 0; });
   py::dict result = rowsDict(std::move(matrix));
   result["surroundings"] = toArray(std::move(surroundings));
   result["backs"] = toArray(std::move(backs));

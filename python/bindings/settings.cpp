@@ -71,12 +71,9 @@ std::optional<std::string> Settings::text(const char* name) const {
 std::optional<bool> Settings::flag(const char* name) const {
   const auto found = value(name);
   if (!found) return std::nullopt;
-  const int truth = PyObject_IsTrue(found->ptr());
-  if (truth < 0) {
-    PyErr_Clear();
-    fail(name, *found, "give True or False");
-  }
-  return truth == 1;
+  const std::string type = Py_TYPE(found->ptr())->tp_name;
+  if (type != "bool" && type != "numpy.bool_") fail(name, *found, "give True or False");
+  return PyObject_IsTrue(found->ptr()) == 1;
 }
 
 }  // namespace hemitex::python

@@ -14,7 +14,7 @@ import scipy.sparse
 from . import _core
 from ._core import InputError
 from .rasterizers import Face, Rasterizer, _face, _factory
-from .scenes import Elements, Floats, Integers, Scene, _core_of, _elements
+from .scenes import Elements, Floats, Integers, Scene, _core_of, _elements, _numbers
 
 Source = Union[str, tuple[str, int, int]]
 """The name of a surface or family, or (surface, column, row) of a texel."""
@@ -101,36 +101,44 @@ class Hemicube:
         return np.bincount(elements[seen], weights[seen], minlength=len(self.of)).astype(np.float64)
 
     def unfolded(self, values: npt.ArrayLike | None = None) -> npt.NDArray[Any]:
-        """(2R, 2R[, 3]): the faces as a cross, the sides folded down around the top, seen from the point, for pictures.
+        """(2R, 2R[, 3]): what the pixels show, as a cross: the sides folded down around the top, seen from the point.
 
         The top row of the picture comes first. values: one per element, (elements,) or (elements, 3); by default its
         number. Pixels outside the faces are NaN, those of backs and of the background 0 (-1 for numbers).
         """
-        if len(self.faces) != 5:
-            raise InputError("only a hemicube unfolds to a cross")
-        table = np.asarray(np.arange(len(self.of)) if values is None else values, float)
+        table = _numbers(np.arange(len(self.of)) if values is None else values, "values").astype(float)
         if table.ndim not in (1, 2) or len(table) != len(self.of):
             raise InputError(f"`values` has the shape {table.shape}; give one value for each of {len(self.of)} elements")
+        shown = []
+        for face in self.faces:
+            shown.append(table[np.maximum(face.elements, 0)])
+            shown[-1][face.elements < 0] = -1 if values is None else 0
+        return self._cross(shown)
+
+    def unfolded_weights(self) -> Floats:
+        """(2R, 2R): the delta form factors of all pixels, as `unfolded`."""
+        return self._cross([face.weights for face in self.faces])
+
+    def _cross(self, pictures: list[npt.NDArray[Any]]) -> npt.NDArray[Any]:
+        if len(pictures) != 5:
+            raise InputError("only a hemicube unfolds to a cross")
         r = self.faces[0].face.resolution
         place = (2 * np.arange(2 * r) + 1 - 2 * r) / r
         x, y = np.meshgrid(place, -place)  # in halves of the top's width, y upwards
-        sides = np.clip(x, -1, 1), np.clip(y, -1, 1)
-        depth = np.minimum(np.minimum(1, 2 - abs(x)), 2 - abs(y))
-        axes = [np.array(axis) for axis in (self.faces[0].face.x, self.faces[0].face.y, self.faces[0].face.w)]
-        towards = -sides[0][..., None] * axes[0] + sides[1][..., None] * axes[1] + depth[..., None] * axes[2]
+        depth = np.minimum(1, 2 - np.maximum(abs(x), abs(y)))[..., np.newaxis]
+        right, up, normal = (np.array(axis) for axis in (self.faces[0].face.x, self.faces[0].face.y,
+                                                         self.faces[0].face.w))
+        towards = depth * normal + y.clip(-1, 1)[..., np.newaxis] * up - x.clip(-1, 1)[..., np.newaxis] * right
         depths = np.stack([towards @ np.array(face.face.w) for face in self.faces])
         nearest = depths.argmax(axis=0)
-        cross = np.full((2 * r, 2 * r) + table.shape[1:], np.nan)
-        for number, face in enumerate(self.faces):
+        cross = np.full((2 * r, 2 * r) + pictures[0].shape[2:], np.nan)
+        for number, (face, picture) in enumerate(zip(self.faces, pictures)):
             pixels = (nearest == number) & (np.minimum(abs(x), abs(y)) <= 1)
             first_column, first_row, width, height = face.face.rectangle
-            seen = towards[pixels] / depths[number][pixels][:, None]
+            seen = towards[pixels] / depths[number][pixels][:, np.newaxis]
             column, row = [((seen @ np.array(axis) + 1) * r / 2).astype(int) - first
                            for axis, first in ((face.face.x, first_column), (face.face.y, first_row))]
-            element = face.elements[row.clip(0, height - 1), column.clip(0, width - 1)]
-            shown = table[np.maximum(element, 0)]
-            shown[element < 0] = -1 if values is None else 0
-            cross[pixels] = shown
+            cross[pixels] = picture[row.clip(0, height - 1), column.clip(0, width - 1)]
         return cross
 
 

@@ -15,7 +15,7 @@ from ._core import InputError
 from .form_factors import Told, _settings
 from .pictures import Camera, camera
 from .rasterizers import Rasterizer, _factory
-from .scenes import Edit, Elements, Floats, Scene, _core_of, _edits, _elements
+from .scenes import Edit, Elements, Floats, Scene, _core_of, _edits, _elements, _three_bands
 
 
 class Solution:
@@ -156,16 +156,12 @@ def sensitivity(solution: Solution, target: str | npt.ArrayLike, *, progress: To
     elements = solution.elements
     if isinstance(target, str):
         numbers = elements.of(target)
-        weights = np.zeros(len(elements))
-        weights[numbers] = elements.area[numbers] / elements.area[numbers].sum()
+        shares = np.zeros(len(elements))
+        shares[numbers] = elements.area[numbers] / elements.area[numbers].sum()
+        weights: npt.ArrayLike = shares
     else:
-        try:
-            weights = np.asarray(target)
-        except (ValueError, TypeError):
-            raise InputError("`target` is no array of numbers") from None
-    if weights.ndim == 1 and weights.dtype.kind in "fiu":
-        weights = np.repeat(weights[:, np.newaxis], 3, axis=1)
-    found = _core.sensitivity(core, weights, progress)
+        weights = target
+    found = _core.sensitivity(core, _three_bands(weights, "target"), progress)
     return Sensitivity(elements=elements, **{**found, "target": np.array(found["target"])})
 
 

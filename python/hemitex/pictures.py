@@ -14,7 +14,7 @@ import numpy.typing as npt
 from . import _core
 from ._core import InputError
 from .form_factors import _settings
-from .scenes import Elements, Scene, Vector, _elements
+from .scenes import Elements, Scene, Vector, _elements, _three_bands
 
 if TYPE_CHECKING:
     from .light import Solution
@@ -74,10 +74,7 @@ def render(what: Solution | Scene | Elements,
         raise InputError(f"`size` is {size!r}; give (width, height)") from None
     settings = _settings(width=width, height=height, exposure=exposure, filter=filter)
     if values is not None:
-        colours = np.asarray(values)
-        if colours.ndim == 1 and colours.dtype.kind in "fiu":
-            colours = np.repeat(colours[:, np.newaxis], 3, axis=1)
-        return _core.value_picture(elements._core, colours, view, settings)
+        return _core.value_picture(elements._core, _three_bands(values, "values"), view, settings)
     if isinstance(what, Solution):
         return _core.lit_picture(what._core, view, settings)[0]
     return _core.structure_picture(elements._core, show, view, settings)

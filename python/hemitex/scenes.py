@@ -49,7 +49,7 @@ class Scene:
         vertices: (n, 3), in the unit of the scene.
         faces: (m, k) vertices per face, or a list of faces with any number of corners, at least 3. A face reflects and
             emits on the side from which its corners run counter-clockwise.
-        reflectance: diffuse, in [0, 1): one number, (3,) RGB, (m,) per face or (m, 3).
+        reflectance: diffuse, in [0, 1): one number, (m,) per face, (1, 3) RGB or (m, 3) RGB per face.
         emission: emitted radiosity, W/m^2, in the same shapes.
         names: one per face; faces of one name are one surface, or the parts of a family. Without it each face is a
             surface of one element, named by its number (a facet).
@@ -248,14 +248,14 @@ class Elements:
 
         Row 0 is at v = 0 of the chart.
         """
-        if name not in self.scene.names:
+        if not isinstance(name, str) or name not in self.scene.names:
             raise InputError(f"no surface is named `{name}`; choose one of Scene.names")
         return _core.grid(self._core, self.scene.names.index(name))
 
     def to_xarray(self, values: npt.ArrayLike, name: str) -> Any:
         """Values (elements,) or (elements, 3) of a surface as an xarray.DataArray (row, column[, band])."""
         import xarray
-        numbers, of = self.grid(name), np.asarray(values)
+        numbers, of = self.grid(name), _numbers(values, "values")
         if of.ndim not in (1, 2) or of.shape[0] != len(self) or (of.ndim == 2 and of.shape[1] != 3):
             raise InputError(f"`values` has the shape {of.shape}; give ({len(self)},) or ({len(self)}, 3)")
         picked = np.where((numbers < 0).reshape(numbers.shape + (1, ) * (of.ndim - 1)), np.nan, of[numbers])
@@ -280,6 +280,8 @@ def discretize(scene: Scene,
     surface_texels: other numbers for some surfaces or families. patch: patch x patch elements shoot light together.
     editable: for solutions that `edit` will update; also elements inside solids then exist.
     """
+    if surface_texels is not None and not isinstance(surface_texels, Mapping):
+        raise InputError("`surface_texels` is no dictionary of names and numbers")
     settings = {
         "texels": texels,
         "texel_size": texel_size,
@@ -368,6 +370,23 @@ def _elements(what: Scene | Elements, editable: bool = False) -> Elements:
     return discretize(what, editable=editable) if isinstance(what, Scene) else what
 
 
+def _numbers(values: Any, name: str) -> npt.NDArray[Any]:
+    """An array of real numbers; raises InputError for anything else."""
+    try:
+        array = np.asarray(values)
+    except (ValueError, TypeError):
+        array = np.zeros(0, object)
+    if array.dtype.kind not in "fiu":
+        raise InputError(f"`{name}` is no array of numbers")
+    return array
+
+
+def _three_bands(values: Any, name: str) -> npt.NDArray[Any]:
+    """Values (n,) as (n, 3); others as they are."""
+    array = _numbers(values, name)
+    return np.repeat(array[:, np.newaxis], 3, axis=1) if array.ndim == 1 else array
+
+
 def _flat_faces(faces: Any) -> tuple[Integers, Integers]:
     """The corners of all faces one after another, and the number of corners of each."""
     try:
@@ -390,18 +409,11 @@ def _flat_faces(faces: Any) -> tuple[Integers, Integers]:
 
 def _per_face(values: Any, faces: int, name: str) -> Floats:
     """Values as (faces, 3): one for all, one per face, RGB for all, or RGB per face."""
-    advice = f"give one number, (3,), ({faces},) or ({faces}, 3)"
-    try:
-        array = np.asarray(values)
-    except (ValueError, TypeError):
-        raise InputError(f"`{name}` is no array of numbers; {advice}") from None
-    if array.dtype.kind not in "fiu":
-        raise InputError(f"`{name}` is no array of numbers; {advice}")
-    if array.ndim == 1 and array.shape[0] == faces and faces != 3:
+    advice = f"give one number, ({faces},), (1, 3) or ({faces}, 3)"
+    array = _numbers(values, name)
+    if array.ndim == 1:
         array = array[:, np.newaxis]
-    elif array.ndim == 1 and array.shape[0] == 3:
-        array = array[np.newaxis, :]
-    if array.ndim > 2 or (array.ndim == 1) or (array.ndim == 2 and
-                                               (array.shape[0] not in (1, faces) or array.shape[1] not in (1, 3))):
+    fits = array.ndim == 0 or (array.ndim == 2 and array.shape[0] in (1, faces) and array.shape[1] in (1, 3))
+    if not fits or (array.ndim == 2 and array.shape == (1, 1) and faces != 1):
         raise InputError(f"`{name}` has the shape {np.shape(values)}; {advice}")
     return np.broadcast_to(np.asarray(array, np.float64), (faces, 3))

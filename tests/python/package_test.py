@@ -20,6 +20,10 @@ def test_examples_of_the_documentation_run(name: str) -> None:
     assert doctest.testmod(importlib.import_module(name)).failed == 0
 
 
+def test_examples_of_the_page_run() -> None:
+    assert doctest.testfile(str(TOP / "docs/python.md"), module_relative=False).failed == 0
+
+
 def test_all_public_names_have_documentation() -> None:
     for name in hx.__all__:
         value = getattr(hx, name)

@@ -72,7 +72,7 @@ std::size_t wordCount(const std::string& sentence) {
 /// Headers and sources of the repository.
 std::vector<fs::path> sources() {
   std::vector<fs::path> found;
-  for (const char* folder : {"raster", "radiosity", "reference", "cli", "data", "examples", "tests"}) {
+  for (const char* folder : {"raster", "radiosity", "reference", "cli", "python", "data", "examples", "tests"}) {
     for (const auto& entry : fs::recursive_directory_iterator(top / folder)) {
       if (entry.path().extension() == ".h" || entry.path().extension() == ".cpp") found.push_back(entry.path());
     }
