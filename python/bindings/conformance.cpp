@@ -30,7 +30,7 @@ std::string textOf(const nlohmann::ordered_json& json) {
 }
 
 TestVector makeVector(const py::object& name, const py::dict& list, const py::sequence& faces,
-                    const std::vector<std::string>& names) {
+                      const std::vector<std::string>& names) {
   std::vector<raster::Face> views;
   for (const py::handle& face : faces) {
     if (!py::isinstance<py::dict>(face)) throw InputError("`faces` is no list of faces");
@@ -88,7 +88,8 @@ py::tuple judgeVector(const TestVector& vector, const py::sequence& found, const
   return py::make_tuple(textOf(reference::toJson(report)), toText(report.findings), pixels, expected);
 }
 
-std::string explainPixel(const TestVector& vector, const py::object& name, const py::object& column, const py::object& row) {
+std::string explainPixel(const TestVector& vector, const py::object& name, const py::object& column,
+                         const py::object& row) {
   const std::string wanted = python::textOf(name, "face");
   const int x = static_cast<int>(integerOf(column, "column", -1, 4096));
   const int y = static_cast<int>(integerOf(row, "row", -1, 4096));

@@ -84,7 +84,7 @@ std::vector<double> dense(const Row& row, const std::vector<double>& values, std
 }
 
 py::dict formFactorRow(const SharedElements& elements, const py::object& source, const py::dict& given,
-                       const py::object& makeRenderer, py::object progress) {
+                       const py::object& makeRenderer) {
   const Settings settings(given);
   const bool bySurface = settings.flag("by_surface").value_or(false);
   const radiosity::Families families = familiesOf(*elements);
@@ -93,9 +93,7 @@ py::dict formFactorRow(const SharedElements& elements, const py::object& source,
                 : reference::elementsAsReceivers(elements->discretization);
   const reference::Source from = sourceOf(*elements, source);
   const reference::RowMethod method = methodOf(*elements, receivers, settings, makeRenderer);
-  Progress told(std::move(progress));
   const Row row = unlocked([&] { return method(from); });
-  unlocked([&] { told.tell(1); });
   const std::size_t count = receivers.area.size();
   return py::dict("form_factor"_a = toArray(dense(row, row.formFactor, count)), "area"_a = toArray(receivers.area),
                   "names"_a = bySurface ? py::cast(families.names) : py::object(py::none()),

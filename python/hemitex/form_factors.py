@@ -158,8 +158,7 @@ def form_factor_row(what: Scene | Elements,
                     samples: int | None = None,
                     seed: int = 0,
                     aimed: bool = False,
-                    rasterizer: Rasterizer | None = None,
-                    progress: Told | None = None) -> FormFactorRow:
+                    rasterizer: Rasterizer | None = None) -> FormFactorRow:
     """The row of a surface or of a texel, to all elements, or to all surfaces.
 
     The row of a surface is the mean over its patches, by area; that of a texel is drawn from its centre.
@@ -170,7 +169,7 @@ def form_factor_row(what: Scene | Elements,
     row = _core.form_factor_row(
         _core_of(elements, Elements), source,
         _settings(by_surface=by_surface, method=method, resolution=resolution, orientation=orientation, split=split,
-                  elements_by=elements_by, samples=samples, seed=seed, aimed=aimed), _factory(rasterizer), progress)
+                  elements_by=elements_by, samples=samples, seed=seed, aimed=aimed), _factory(rasterizer))
     return FormFactorRow(elements=elements, **row)
 
 
@@ -206,14 +205,12 @@ def rays(what: Scene | Elements,
          by_surface: bool = False,
          samples: int = 1 << 16,
          seed: int = 0,
-         aimed: bool = False,
-         progress: Told | None = None) -> FormFactorRow:
+         aimed: bool = False) -> FormFactorRow:
     """A row by rays from the whole area of the source, with standard errors: the ground truth for other methods.
 
     aimed: rays aim at each receiver instead of covering the hemisphere; accurate, but slow for many receivers.
     """
-    return form_factor_row(what, source, by_surface=by_surface, method="rays", samples=samples, seed=seed, aimed=aimed,
-                           progress=progress)
+    return form_factor_row(what, source, by_surface=by_surface, method="rays", samples=samples, seed=seed, aimed=aimed)
 
 
 @overload

@@ -240,7 +240,7 @@ class Elements:
         """The numbers of the elements of a surface or family, ascending."""
         numbers = [s for s, each in enumerate(zip(self.scene.names, self.scene.families)) if name in each]
         if not numbers:
-            _core.form_factor_row(self._core, name, {}, None, None)  # says which names are similar
+            _core.form_factor_row(self._core, name, {}, None)  # says which names are similar
         return np.flatnonzero(np.isin(self.surface, numbers))
 
     def grid(self, name: str) -> Integers:
