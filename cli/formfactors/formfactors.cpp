@@ -286,7 +286,7 @@ class MatrixOutput {
 
   void take(const Row& row) {
     const MatrixRow complete(row, heading_);
-    if (row.error) unlisted_.push_back(*row.error - errorOf(complete.span(), heading_.facets()));
+    if (row.error) measured_.push_back({*row.error, errorOf(complete.span(), heading_.facets())});
     if (smoother_)
       smoother_->add(complete.span());
     else
@@ -317,15 +317,23 @@ class MatrixOutput {
       smallestSum_ = std::min(smallestSum_, sum);
       largestSum_ = std::max(largestSum_, sum);
     }
-    if (!unlisted_.empty()) errors_.push_back(unlisted_[errors_.size()] + errorOf(row, heading_.facets()));
+    if (!measured_.empty()) {
+      const auto& [error, ofEntries] = measured_[errors_.size()];
+      const bool isChanged = smoother_ && ofEntries > 0;
+      errors_.push_back(isChanged ? error * errorOf(row, heading_.facets()) / ofEntries : error);
+    }
     writer_.write(row);
   }
 
   reference::MatrixHeading heading_;
   reference::MatrixWriter writer_;
   std::optional<reference::MatrixSmoother> smoother_;
-  std::vector<double> unlisted_;  ///< the part of each row's error that belongs to no entry, if the method has errors
-  std::vector<double> errors_;    ///< one per row
+  /// The error of a row before it is smoothed, and the sum of those of its entries.
+  struct RowError {
+    double row = 0, ofEntries = 0;
+  };
+  std::vector<RowError> measured_;  ///< one per row, if the method has errors
+  std::vector<double> errors_;      ///< of the rows that are written
   std::size_t entries_ = 0;
   double smallestSum_ = std::numeric_limits<double>::infinity(), largestSum_ = 0;
 };

@@ -172,7 +172,7 @@ def main():
         file.write('newmtl grey\nKd .5 .5 .5\nnewmtl lamp\nKd 0 0 0\nKe 10 10 10\n')
     table = Table()
     scene = f'{options.work}/scene.obj'
-    both = [(0.02, False), (0.02, True)]
+    both = [(0.03, False), (0.03, True)]
     for boxes in (8, 16, 35, 75):
         facets = 18 * boxes * boxes
         if facets > options.largest:
@@ -180,7 +180,7 @@ def main():
         with open(scene, 'w') as file:
             city(file, boxes)
         many = facets > 5000
-        measure(table, options, 'city', scene, [(0.03, True)] if many else [(0.01, False)] + both,
+        measure(table, options, 'city', scene, [(0.04, True)] if many else [(0.015, False)] + both,
                 options.view3d and not many)
     with open(scene, 'w') as file:
         mesh(file, min(1000, options.largest))

@@ -195,7 +195,7 @@ TEST_CASE("hemitex formfactors --output goes on after the rows of a run that was
   const std::string command = "'" HEMITEX_PROGRAM "' " + matrix + "-o m.csv";
   const Outcome second = shell.execute(
       command + " & run=$!\nwhile kill -0 $run && ! [ \"$(wc -l <m.csv.part)\" -ge 3 ]\ndo sleep 0.01\ndone " +
-      "2>/dev/null\n" + command + "\ncode=$?\nkill -KILL $run\nexit $code");
+      "2>/dev/null\n" + command + "\ncode=$?\nkill -KILL $run\nwait $run\nexit $code");
   CHECK(second.exitCode == 2);
   CHECK_THAT(second.err, Contains("m.csv.part: is in use"));
   CHECK_FALSE(shell.files().contains("m.csv"));
@@ -406,7 +406,7 @@ TEST_CASE("hemitex formfactors goes on with the rows of a sparse matrix that a k
   const std::string matrix = "formfactors room.obj --all --facets --texels 32 --resolution 512 --threads 1 -o F.npz";
   shell.execute("'" HEMITEX_PROGRAM "' " + matrix +
                 " & run=$!\nwhile kill -0 $run && ! [ \"$(wc -l <F.npz.part)\" -ge 3 ]\ndo sleep 0.01\ndone " +
-                "2>/dev/null\nkill -KILL $run");
+                "2>/dev/null\nkill -KILL $run\nwait $run");
   CHECK_FALSE(shell.files().contains("F.npz"));
   const Outcome last = shell.run(matrix);
   CHECK(last.exitCode == 0);

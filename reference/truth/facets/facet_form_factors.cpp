@@ -17,13 +17,13 @@ using radiosity::formFactor;
 
 /// A facet is visible as a whole if no more than this part of it is hidden, and no more than this number of pixels per
 /// view: the covered pixels of this program and those of the renderer differ at edges.
-constexpr double hiddenAtMost = 0.005, hiddenPixelsAtMost = 0.25;
+constexpr double hiddenAtMost = 0.005, hiddenPixelsAtMost = 1;
 
 /// A facet whose covered pixels have less light than this number of pixels at the pole has an uncertain visible part.
 constexpr double fewestPixels = 4;
 
 /// The error of the mean over both sets of points, per difference between them; measured on cities and rooms.
-constexpr double errorPerDifference = 1.5;
+constexpr double errorPerDifference = 2;
 
 /// The relative error of the closed form (quick_form_factor.h).
 constexpr double closedFormError = 1e-4;
@@ -60,6 +60,14 @@ void forEachNewCentroid(int n, bool isFirst, const Visit& visit) {
       if (!isOld(i, j, true)) visit(glm::dvec2((i + 1.0 / 3) / n, (j + 1.0 / 3) / n));
       if (j < n - i - 1 && !isOld(i, j, false)) visit(glm::dvec2((i + 2.0 / 3) / n, (j + 2.0 / 3) / n));
     }
+}
+
+/// The least error of the visible part of a facet that n points see through a number of pixels: the border of the
+/// points that see it crosses about the root of n cells, each of which is off by up to 1 / n, and each pixel is seen or
+/// not. The differences of both halves tell more, but may be small by chance.
+double leastError(double part, double n, double pixels) {
+  const double root = std::sqrt(n);
+  return 0.3 * std::sqrt(part * (1 - part) * (1 / (n * root) + 1 / pixels)) + 1 / pixels;
 }
 
 /// The share of the light through a pixel at the pole, which is the largest: the area of the pixel over pi.
@@ -158,7 +166,7 @@ class FacetFormFactors::Worker {
   }
 
   FacetRow rowOf(std::uint32_t facet) {
-    const double weight = weights_[0] + weights_[1];
+    const double weight = weights_[0] + weights_[1], count = static_cast<double>(views_.size());
     std::sort(touched_.begin(), touched_.end());
     const auto share = [&](const std::array<double, 2>& sums) { return (sums[0] + sums[1]) / weight; };
     const auto errorOf = [&](const std::array<double, 2>& sums) { return errorPerDifference * differenceOf(sums); };
@@ -171,8 +179,8 @@ class FacetFormFactors::Worker {
     for (const std::uint32_t f : touched_) {
       FacetSums& sums = sums_[f];
       const double seen = sums.seen[0] + sums.seen[1], covered = sums.covered[0] + sums.covered[1];
-      double factor = seen / weight, error = errorOf(sums.seen);
-      if (covered > fewestPixels * poleShare_ * weight / static_cast<double>(views_.size())) {
+      double factor = seen / weight, error = errorOf(sums.seen), least = std::sqrt(factor * poleShare_ / count);
+      if (covered > fewestPixels * poleShare_ * weight / count) {
         if (sums.unblocked < 0) sums.unblocked = quickFormFactor(scene_.surfaces[facet], scene_.surfaces[f]);
         const double hidden = std::max(covered - seen, 0.0);
         if (hidden <= hiddenAtMost * covered && hidden <= hiddenPixelsAtMost * poleShare_ * weight) {
@@ -181,14 +189,16 @@ class FacetFormFactors::Worker {
         } else {
           const double difference =
               std::abs(visiblePart(sums.seen[0], sums.covered[0]) - visiblePart(sums.seen[1], sums.covered[1]));
-          factor = sums.unblocked * visiblePart(seen, covered);
+          const double part = visiblePart(seen, covered);
+          factor = sums.unblocked * part;
           error = sums.unblocked * std::max(errorPerDifference * difference, closedFormError);
         }
+        least = sums.unblocked * leastError(visiblePart(seen, covered), count, covered / weight / poleShare_ * count);
       }
       if (factor <= 0) continue;
       row.facets.push_back(f);
       row.factors.push_back(factor);
-      row.errors.push_back(static_cast<float>(error));
+      row.errors.push_back(static_cast<float>(std::max(error, least)));
       row.error += error;
     }
     close(row);

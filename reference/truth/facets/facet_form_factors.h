@@ -30,12 +30,12 @@ namespace hemitex::reference {
 struct FacetRow {
   std::vector<std::uint32_t> facets = {};  ///< ascending
   std::vector<double> factors = {};        ///< one per facet, in (0, 1]
-  std::vector<float> errors = {};          ///< estimated absolute error of each factor
+  std::vector<float> errors = {};          ///< estimated absolute error of each factor, so that none is small by chance
   double surroundings = 0;                 ///< share that meets nothing
   double backs = 0;                        ///< share that meets backs of facets; the sum of all shares is 1
   float surroundingsError = 0, backsError = 0;
-  double error = 0;  ///< estimate of the sum over facets of the absolute errors: the sum of `errors`, and what facets
-                     ///< smaller than a pixel may receive
+  double error = 0;  ///< estimate of the sum over facets of the absolute errors, by the differences of both halves, and
+                     ///< what facets smaller than a pixel may receive
   int points = 0;    ///< from which hemicubes were drawn
 };
 

@@ -74,17 +74,20 @@ void MatrixSmoother::add(const SparseRow& row) {
   firstOf_.push_back(exchanges_.size());
 }
 
-/// Sets the flux and the variance of an exchange. What one row alone sees has the value 0 in the other, with the same
-/// error.
+/// Sets the flux and the variance of an exchange. What one row alone sees has the value 0 in the other, with that value
+/// as its error.
 void MatrixSmoother::settle(Exchange& exchange) const {
   if (exchange.low == exchange.high || !isShared(exchange)) exchange.measured[1] = exchange.measured[0];
   std::array<double, 2> value{}, error = exchange.error;
   for (std::size_t k = 0; k < 2; ++k) value[k] = std::max(exchange.measured[k], 0.0);
-  for (double& e : error) e = std::max(e, smallestError * std::max(value[0], value[1]));
+  const double larger = std::max(value[0], value[1]);
+  for (std::size_t k = 0; k < 2; ++k)
+    error[k] = std::max(error[k], exchange.measured[k] < 0 ? larger : smallestError * larger);
   const double both = error[0] + error[1];
   if (both == 0) return;
   exchange.flux = hasErrors_ ? (value[0] * error[1] + value[1] * error[0]) / both : (value[0] + value[1]) / 2;
-  exchange.variance = hasErrors_ ? both * both / 4 : exchange.flux;
+  exchange.fluxError = 2 * error[0] * error[1] / both;
+  exchange.variance = hasErrors_ ? exchange.fluxError * exchange.fluxError : exchange.flux;
 }
 
 /// The sum of a part of the exchanges of each row.
@@ -204,7 +207,7 @@ void MatrixSmoother::forEachRow(const std::function<void(const SparseRow& row)>&
       if (exchange.flux == 0) return;
       column.push_back(to);
       value.push_back(exchange.flux / area_[row]);
-      if (hasErrors_) error.push_back(static_cast<float>((exchange.error[0] + exchange.error[1]) / 2 / area_[row]));
+      if (hasErrors_) error.push_back(static_cast<float>(exchange.fluxError / area_[row]));
     };
     for (; nextEarlier < earlier.size() && exchanges_[earlier[nextEarlier]].high == row; ++nextEarlier)
       append(exchanges_[earlier[nextEarlier]].low, exchanges_[earlier[nextEarlier]]);

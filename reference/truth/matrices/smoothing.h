@@ -8,8 +8,8 @@
 ///   S_ij = M_ij + V_ij (x_i + x_j),   sum_j V_ij (x_i + x_j) = sum_j (A_i F_ij - M_ij),
 ///
 /// which is one linear equation per row. Surroundings and backs are not shared with another row: V_i x_i is added. If
-/// the errors of entries are known, V is the square of their mean. Otherwise V is M, because the variance of ray counts
-/// is proportional to the value, and zeros stay 0.
+/// the errors of entries are known, V is the square of their harmonic mean. Otherwise V is M, because the variance of
+/// ray counts is proportional to the value, and zeros stay 0.
 ///
 /// For inaccurate measurements S_ij may be negative. Such values are set to 0 and the others are solved again, until
 /// none is negative. There is no solution in two cases: only two surfaces see each other, so that one number must
@@ -48,7 +48,8 @@ class MatrixSmoother {
   void add(const SparseRow& row);
   /// To be called once, after all rows.
   SmoothingMoves smooth();
-  /// Calls take(row) with each smoothed row, in order. The error of an entry is the mean of those of its measurements.
+  /// Calls take(row) with each smoothed row, in order. The error of an entry is the harmonic mean of those of its
+  /// measurements: that of both if they are equal, and at most twice the smaller one.
   void forEachRow(const std::function<void(const SparseRow& row)>& take) const;
 
  private:
@@ -57,7 +58,8 @@ class MatrixSmoother {
     std::uint32_t low = 0, high = 0;   ///< high may be a column behind the facets
     std::array<double, 2> measured{};  ///< A F of the rows of low and of high; below 0 if there is no such entry
     std::array<double, 2> error{};     ///< of both
-    double flux = 0, variance = 0;     ///< the smoothed A F, and how freely it moves
+    double flux = 0, fluxError = 0;    ///< the smoothed A F
+    double variance = 0;               ///< how freely it moves
   };
 
   bool isShared(const Exchange& exchange) const { return exchange.high < area_.size(); }
