@@ -44,9 +44,6 @@ Spectrum product(const Spectrum& a, const Spectrum& b);
 /// Tristimulus values under the CIE 1931 2-degree observer; Spectrum 1 has Y = 1.
 glm::dvec3 tristimulus(const Spectrum& spectrum);
 
-/// The matrix from XYZ to linear sRGB, derived from the chromaticities of the primaries and the white point.
-glm::dmat3 linearSrgbFromXyz();
-
 /// Linear sRGB; a channel is negative if the colour lies outside the triangle of the primaries.
 glm::dvec3 linearSrgb(const Spectrum& spectrum);
 
