@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <map>
+#include <numbers>
 #include <optional>
 #include <utility>
 
-#include "radiosity/scene/mtl_file.h"
 #include "radiosity/meshes/text_lines.h"
+#include "radiosity/scene/mtl_file.h"
+#include "radiosity/spectra/colour.h"
 #include "raster/base/file_io.h"
 #include "raster/base/input_error.h"
 
@@ -16,10 +18,10 @@ namespace {
 /// The reflectance of unknown materials.
 constexpr double grey = 0.5;
 
-/// A statement and the folder that its image paths are relative to.
+/// A statement and its file. The paths in it are relative to the folder of the file.
 struct Definition {
   MaterialStatement statement;
-  std::filesystem::path folder;
+  std::filesystem::path file;
 };
 
 std::map<std::string, Definition> readDefinitions(const std::vector<std::filesystem::path>& files, EmissionUnit unit,
@@ -33,7 +35,7 @@ std::map<std::string, Definition> readDefinitions(const std::vector<std::filesys
     }
     set.files.push_back(file);
     for (MaterialStatement& statement : parseMaterials(*text, file, unit)) {
-      definitions.try_emplace(statement.name, Definition{statement, file.parent_path()});
+      definitions.try_emplace(statement.name, Definition{statement, file});
     }
   }
   return definitions;
@@ -59,7 +61,7 @@ class MapImages {
       return {};
     }
     if (map.hasOptions) set_.warnings.push_back(owner + "the options of its maps are ignored");
-    const std::filesystem::path file = definition.folder / map.image;
+    const std::filesystem::path file = definition.file.parent_path() / map.image;
     const auto [known, isNew] = read_.try_emplace(file);
     if (isNew) known->second = read(file);
     return known->second;
@@ -110,8 +112,28 @@ const char* wayThrough(const MaterialStatement& statement) {
   return statement.transparency.value_or(0) > 0 ? "Tr above 0" : nullptr;
 }
 
-Material makeMaterial(const Definition& definition, const SceneSettings& settings, MapImages& images,
-                      std::vector<std::string>& warnings) {
+/// Turns the spectra of a definition into colours.
+void convertSpectra(Definition& definition, MaterialSet& set) {
+  MaterialStatement& statement = definition.statement;
+  const auto convert = [&](const std::optional<SpectrumStatement>& from, auto colourOf, std::optional<glm::dvec3>& to) {
+    if (!from) return;
+    const glm::dvec3 colour = colourOf(readSpectrum(*from, definition.file));
+    to = glm::max(colour, glm::dvec3(0));
+    if (*to != colour)
+      set.warnings.push_back("material '" + raster::excerpt(statement.name) + "': the colour of " +
+                             from->spectrum.string() + " lies outside sRGB; its negative channels become 0");
+    set.files.push_back(definition.file.parent_path() / from->spectrum);
+  };
+  convert(statement.reflectanceSpectrum, reflectanceColour, statement.reflectance);
+  convert(statement.emissionSpectrum, linearSrgb, statement.emission);
+  if (statement.emissionSpectrum && std::max({statement.emission->r, statement.emission->g, statement.emission->b}) >
+                                        largestEmission / std::numbers::pi)
+    fail({definition.file, statement.emissionSpectrum->line}, "Ke is above 1e30 / pi", "scale the light down");
+}
+
+Material makeMaterial(Definition definition, const SceneSettings& settings, MapImages& images, MaterialSet& set) {
+  convertSpectra(definition, set);
+  std::vector<std::string>& warnings = set.warnings;
   const MaterialStatement& statement = definition.statement;
   const std::string owner = "material '" + raster::excerpt(statement.name) + "': ";
   Material material{.name = statement.name};
@@ -175,7 +197,7 @@ MaterialSet findMaterials(const std::vector<std::string>& names, const std::vect
   for (const std::string& name : names) {
     const auto found = definitions.find(name);
     if (found != definitions.end()) {
-      set.materials.push_back(makeMaterial(found->second, settings, images, set.warnings));
+      set.materials.push_back(makeMaterial(found->second, settings, images, set));
     } else if (name.empty()) {
       set.materials.push_back({.name = "default"});
       set.warnings.push_back("faces without a material become grey 0.5");

@@ -32,6 +32,7 @@ std::optional<std::string> lowerReflectance(glm::dvec3& reflectance, double maxR
 /// - A missing file or name: a warning, and reflectance 0.5 for names that are in no file.
 /// - A material without Kd: a warning and 0.5, or, with a map_Kd, the map alone. Without Ke it does not emit, or emits
 ///   its map_Ke.
+/// - The spectrum of a Kd or Ke becomes a colour (see colour.h), whose negative channels become 0 with a warning.
 /// - Emissions are converted from `settings.emission` to radiosity.
 /// - A reflectance of 1 or more is lowered to `settings.maxReflectance`, with a warning per material. The values of a
 ///   map_Kd are lowered to 1.

@@ -8,6 +8,8 @@
 #include <cstdlib>
 
 #include "radiosity/meshes/text_lines.h"
+#include "raster/base/file_io.h"
+#include "raster/base/input_error.h"
 
 namespace hemitex::radiosity {
 namespace {
@@ -27,6 +29,29 @@ glm::dvec3 readEmission(const TextLine& line, const Place& place, EmissionUnit u
   if (radiosityPerUnit(unit) * std::max({emission.r, emission.g, emission.b}) > largestEmission)
     fail(place, unit == EmissionUnit::Radiance ? "Ke is above 1e30 / pi" : "Ke is above 1e30", "scale the light down");
   return emission;
+}
+
+/// The statement of a line such as `Kd spectral FILE.rfl FACTOR`; nothing for other lines. File names may have blanks.
+std::optional<SpectrumStatement> readSpectrumStatement(const TextLine& line, const Place& place) {
+  std::string_view rest = line.rest;
+  if (nextWord(rest) != "spectral") return std::nullopt;
+  std::vector<std::string_view> words;
+  std::string_view left = rest;
+  while (const auto word = nextWord(left)) words.push_back(*word);
+  const std::string keyword(line.keyword);
+  if (words.empty()) fail(place, keyword + " spectral names no file", "write " + keyword + " spectral FILE.rfl FACTOR");
+  SpectrumStatement statement{{}, 1, place.line};
+  const std::string last(words.back());
+  char* end = nullptr;
+  statement.factor = std::strtod(last.c_str(), &end);
+  const bool hasFactor = words.size() > 1 && end == last.c_str() + last.size();
+  if (!hasFactor) statement.factor = 1;
+  if (!(statement.factor >= 0 && statement.factor <= largestEmission))
+    fail(place, "the factor of " + keyword + " spectral is not between 0 and 1e30");
+  const char* const first = words.front().data();
+  const std::string_view& name = hasFactor ? words[words.size() - 2] : words.back();
+  statement.spectrum = std::string(first, name.data() + name.size());
+  return statement;
 }
 
 MapStatement readMap(const TextLine& line) {
@@ -56,8 +81,14 @@ std::vector<MaterialStatement> parseMaterials(std::string_view text, const std::
     if (line->keyword == "newmtl") materials.push_back({std::string(line->rest)});
     if (materials.empty()) continue;
     MaterialStatement& material = materials.back();
-    if (line->keyword == "Kd") material.reflectance = readColor(*line, place);
-    if (line->keyword == "Ke") material.emission = readEmission(*line, place, unit);
+    if (line->keyword == "Kd") {
+      material.reflectanceSpectrum = readSpectrumStatement(*line, place);
+      material.reflectance = material.reflectanceSpectrum ? std::nullopt : std::optional(readColor(*line, place));
+    }
+    if (line->keyword == "Ke") {
+      material.emissionSpectrum = readSpectrumStatement(*line, place);
+      material.emission = material.emissionSpectrum ? std::nullopt : std::optional(readEmission(*line, place, unit));
+    }
     if (line->keyword == "map_Kd") material.reflectanceMap = readMap(*line);
     if (line->keyword == "map_Ke") material.emissionMap = readMap(*line);
     if (line->keyword == "d") material.dissolve = tolerantNumber(*line);
@@ -65,6 +96,17 @@ std::vector<MaterialStatement> parseMaterials(std::string_view text, const std::
     if (line->keyword == "map_d") material.hasDissolveMap = true;
   }
   return materials;
+}
+
+Spectrum readSpectrum(const SpectrumStatement& statement, const std::filesystem::path& materialFile) {
+  const std::filesystem::path file = materialFile.parent_path() / statement.spectrum;
+  const std::optional<std::string> text = raster::tryReadFile(file);
+  if (!text)
+    fail({materialFile, statement.line}, "the spectrum " + raster::excerpt(file.string()) + " cannot be read",
+         "put the file beside the material file, or give the three numbers of a colour");
+  Spectrum spectrum = parseSpectrum(*text, file);
+  for (double& value : spectrum.values) value *= statement.factor;
+  return spectrum;
 }
 
 }  // namespace hemitex::radiosity

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "radiosity/scene/scene_settings.h"
+#include "radiosity/spectra/spectrum.h"
 
 namespace hemitex::radiosity {
 
@@ -22,11 +23,20 @@ struct MapStatement {
   bool hasOptions = false;      ///< such as `-s 2 2`
 };
 
+/// A line such as `Kd spectral FILE.rfl FACTOR`.
+struct SpectrumStatement {
+  std::filesystem::path spectrum;  ///< relative to the folder of the material file
+  double factor = 1;               ///< of all values, finite and not negative
+  int line = 0;                    ///< counted from 1
+};
+
 /// A material, with the values that the file states.
 struct MaterialStatement {
   std::string name;
-  std::optional<glm::dvec3> reflectance = {};  ///< Kd, finite and not negative
-  std::optional<glm::dvec3> emission = {};     ///< Ke as written; as radiosity 0 to largestEmission
+  std::optional<glm::dvec3> reflectance = {};                 ///< Kd, finite and not negative
+  std::optional<glm::dvec3> emission = {};                    ///< Ke as written; as radiosity 0 to largestEmission
+  std::optional<SpectrumStatement> reflectanceSpectrum = {};  ///< Kd, if its last line names a spectrum
+  std::optional<SpectrumStatement> emissionSpectrum = {};     ///< Ke, if its last line names a spectrum
   std::optional<MapStatement> reflectanceMap = {};
   std::optional<MapStatement> emissionMap = {};
   std::optional<double> dissolve = {}, transparency = {};  ///< `d` and `Tr`
@@ -38,5 +48,9 @@ struct MaterialStatement {
 /// after conversion from `unit` to radiosity.
 std::vector<MaterialStatement> parseMaterials(std::string_view text, const std::filesystem::path& file,
                                               EmissionUnit unit = EmissionUnit::Radiosity);
+
+/// The spectrum of a statement in a material file, times its factor. Throws InputError with the line of the statement
+/// if the file of the spectrum cannot be read, and as parseSpectrum.
+Spectrum readSpectrum(const SpectrumStatement& statement, const std::filesystem::path& materialFile);
 
 }  // namespace hemitex::radiosity

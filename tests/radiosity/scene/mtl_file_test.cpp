@@ -4,7 +4,9 @@
 #include <catch2/catch.hpp>
 
 #include "radiosity/scene/scene_settings.h"
+#include "raster/base/file_io.h"
 #include "raster/base/input_error.h"
+#include "tests/support/temporary_folder.h"
 
 using namespace hemitex;
 using radiosity::MaterialStatement;
@@ -23,7 +25,10 @@ TEST_CASE("parseMaterials throws InputError with the line of an error", "[materi
       {"newmtl a\nKd 0.5 0.5\n", 2, "Kd has 3 numbers"},
       {"newmtl a\nKe\n", 2, "Ke has 3 numbers"},
       {"newmtl a\nKd 0.5 0.5 0.5 1\n", 2, "one number too many"},
-      {"newmtl a\nKd spectral red.rfl\n", 2, "'spectral' is not a number"},
+      {"newmtl a\nKd spectral\n", 2, "Kd spectral names no file"},
+      {"newmtl a\nKe spectral bulb.rfl -1\n", 2, "the factor of Ke spectral is not between 0 and 1e30"},
+      {"newmtl a\nKe spectral bulb.rfl inf\n", 2, "the factor of Ke spectral is not between 0 and 1e30"},
+      {"newmtl a\nKd xyz 1 1 1\n", 2, "'xyz' is not a number"},
       {"newmtl a\r\nKd 0.5 0.5 -0.1\r\n", 2, "Kd is negative"},
       {"newmtl a\nKd 1 1 1\nnewmtl b\nKe -1e-300 0 0\n", 4, "Ke is negative"},
       {"newmtl a\nKe 1 1e30 1.001e30\n", 2, "Ke is above 1e30"},
@@ -93,4 +98,31 @@ TEST_CASE("parseMaterials reads what lets light through", "[material]") {
   CHECK((read[1].dissolve == 1.0 && read[1].transparency == 0.0));
   CHECK((!read[2].dissolve && read[2].transparency == 0.5));
   CHECK((read[3].hasDissolveMap && !read[3].dissolve));
+}
+
+TEST_CASE("parseMaterials reads spectra with factors; the last Kd or Ke of a material counts", "[material]") {
+  const std::vector<MaterialStatement> materials = parseMaterials(
+      "newmtl a\nKd 0.5\nKd spectral red paint.rfl\nKe spectral bulb.rfl 2.5 # warm\n"
+      "newmtl b\nKd spectral 3 0.25\nKe spectral bulb.rfl\nKe 1 2 3\n",
+      "room.mtl");
+  CHECK_FALSE(materials[0].reflectance);
+  CHECK(materials[0].reflectanceSpectrum->spectrum == "red paint.rfl");
+  CHECK(materials[0].reflectanceSpectrum->factor == 1);
+  CHECK(materials[0].emissionSpectrum->spectrum == "bulb.rfl");
+  CHECK(materials[0].emissionSpectrum->factor == 2.5);
+  CHECK(materials[0].emissionSpectrum->line == 4);
+  CHECK(materials[1].reflectanceSpectrum->spectrum == "3");
+  CHECK(materials[1].reflectanceSpectrum->factor == 0.25);
+  CHECK_FALSE(materials[1].emissionSpectrum);
+  CHECK(materials[1].emission == glm::dvec3(1, 2, 3));
+}
+
+TEST_CASE("readSpectrum scales the spectrum beside the material file, and names the line of a missing one",
+          "[material]") {
+  const TemporaryFolder folder;
+  raster::writeFile(folder.path / "red.rfl", "400 0.1\n700 0.8\n");
+  const radiosity::Spectrum spectrum = radiosity::readSpectrum({"red.rfl", 0.5, 7}, folder.path / "room.mtl");
+  CHECK(spectrum == radiosity::Spectrum{{400, 700}, {0.05, 0.4}});
+  CHECK_THROWS_WITH(radiosity::readSpectrum({"blue.rfl", 1, 7}, folder.path / "room.mtl"),
+                    Catch::Contains("room.mtl:7: the spectrum") && Catch::Contains("blue.rfl cannot be read"));
 }
