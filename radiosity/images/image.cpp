@@ -3,18 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
-#include <stdexcept>
 #include <string>
 
-#include "radiosity/images/image_module.h"
-#include "raster/base/file_io.h"
+#include "radiosity/images/module_calls.h"
 #include "raster/base/input_error.h"
 
 namespace hemitex::radiosity {
 namespace {
-
-using namespace std::string_literals;
 
 /// In a file, and in memory.
 constexpr std::uint64_t maxPixels = std::uint64_t{1} << 28, maxKeptPixels = std::uint64_t{1} << 24;
@@ -78,17 +73,6 @@ glm::dvec3 bilinearIn(const AnyImage& image, const glm::dvec2& uv) {
   };
   return glm::mix(glm::mix(at(column, row), at(column + 1, row), x - column),
                   glm::mix(at(column, row + 1), at(column + 1, row + 1), x - column), y - row);
-}
-
-const ImageFunctions& functionsFor(const std::filesystem::path& file) try {
-  return imageFunctions();
-} catch (const std::runtime_error& error) {
-  throw raster::InputError(file.string(), 0, "needs the module for images, which cannot be opened: "s + error.what(),
-                           "install hemitex again, or build it with CMake");
-}
-
-void throwIfAny(const ImageProblem& problem, const std::filesystem::path& file) {
-  if (!problem.problem.empty()) throw raster::InputError(file.string(), 0, problem.problem, problem.advice);
 }
 
 /// Makes an image of rows, with linear values. A larger one than is kept is reduced while its rows arrive: its sides
@@ -168,18 +152,6 @@ class RowCollector {
   std::vector<int> counts_;
 };
 
-/// Encodes in memory, so that a full disk is detected when the bytes are written, whatever the encoder does.
-std::vector<unsigned char> encode(const std::filesystem::path& file, const std::string& format,
-                                  const std::string& colourSpace, const ImageSamples& samples) {
-  std::vector<unsigned char> bytes;
-  throwIfAny(functionsFor(file).encode(format, colourSpace, samples, bytes), file);
-  return bytes;
-}
-
-void writeBytes(const std::filesystem::path& file, const std::vector<unsigned char>& bytes) {
-  raster::writeFile(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
-}
-
 }  // namespace
 
 double decodeSrgb(double encoded) {
@@ -241,7 +213,7 @@ Image decodeImage(const std::vector<unsigned char>& bytes, const std::filesystem
 }
 
 std::vector<unsigned char> encodePng(const CodedImage& image, const std::filesystem::path& file) {
-  return encode(file, "png", "sRGB", {image.width, image.height, 3, image.codes, {}});
+  return encode(file, "png", "sRGB", {image.width, image.height, 3, image.codes});
 }
 
 void writePng(const std::filesystem::path& file, const Image& image) {
@@ -249,14 +221,10 @@ void writePng(const std::filesystem::path& file, const Image& image) {
 }
 
 void writeExr(const std::filesystem::path& file, const Image& image) {
-  ImageSamples samples{image.width, image.height, 3, {}, {}};
+  ImageSamples samples{image.width, image.height, 3};
   samples.values.reserve(3 * image.pixels.size());
   for (const glm::dvec3& pixel : image.pixels)
-    for (int band = 0; band < 3; ++band) {
-      if (pixel[band] > std::numeric_limits<float>::max())
-        throw raster::InputError(file.string(), 0, "cannot hold a value above 3.4e38", "scale the light down");
-      samples.values.push_back(static_cast<float>(pixel[band]));
-    }
+    for (int band = 0; band < 3; ++band) samples.values.push_back(floatOf(pixel[band], file));
   writeBytes(file, encode(file, "openexr", "Linear", samples));
 }
 

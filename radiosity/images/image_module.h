@@ -14,8 +14,9 @@ struct ImageSamples {
   int width = 0;
   int height = 0;
   int channels = 0;
-  std::vector<std::uint8_t> codes;  ///< of files with 8 bits per channel, else empty
-  std::vector<float> values;        ///< of all other files, else empty
+  std::vector<std::uint8_t> codes = {};        ///< of files with 8 bits per channel, else empty
+  std::vector<float> values = {};              ///< of all other files, else empty
+  std::vector<std::string> channelNames = {};  ///< to encode; empty: those of grey or RGB
 };
 
 /// Receives the rows of an image from the top, some at a time; `height` is that of the whole image. There are 1
