@@ -177,6 +177,18 @@ void addLongRunOptions(Command command, LongRunOptions& longRun) {
   for (const Option& option : {checkpoint, resume}) option.excludes(command.option("--edits"));
 }
 
+void addBands(Command command, std::filesystem::path& bands) {
+  const Option option = command.under("Light and reflectance")
+                            .addPath("--bands", bands,
+                                     "solve the bands of wavelengths in this JSON or CSV file, with its spectra of "
+                                     "materials and those of the MTL file, and show their colours (default: solve R, G "
+                                     "and B)",
+                                     "FILE");
+  for (const char* other :
+       {"--adaptive", "--max-error", "--edits", "--checkpoint", "--resume", "--report", "--lightmap"})
+    option.excludes(command.option(other));
+}
+
 /// Throws a usage error for a filter between texels with quadtrees, whose elements are not texels.
 void validateFilter(const SolveOptions& options) {
   const TextureFilter filter = filterOf(options);
@@ -212,6 +224,7 @@ void addSolveOptions(Command command, SolveOptions& options) {
   addEdits(command, options.edits);
   addFacetOptions(command, options);
   addLongRunOptions(command, options.longRun);
+  addBands(command, options.bands);
   command.showFirst({"--output", "--report", "--emit", "--reflectance", "--texels", "--resolution", "--max-error",
                      "--residual", "--size"});
 }

@@ -33,6 +33,7 @@ struct SolveOptions {
   std::optional<int> magnification;                ///< see magnificationOf for the default
   CameraOptions camera;
   std::filesystem::path edits;            ///< empty if there are none
+  std::filesystem::path bands;            ///< empty: the bands are R, G and B
   bool isContinued = false;               ///< keep what updates of the solution need
   radiosity::Messenger* ranks = nullptr;  ///< the ranks that share rows; null if this process is alone
   bool report = false;                    ///< also write report.html

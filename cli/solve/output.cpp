@@ -6,6 +6,7 @@
 
 #include "cli/common/json.h"
 #include "cli/common/table.h"
+#include "radiosity/bands/band_textures.h"
 #include "radiosity/discretization/patch_points.h"
 #include "radiosity/meshes/vtu_file.h"
 #include "radiosity/pictures/default_camera.h"
@@ -21,8 +22,8 @@ namespace hemitex::cli {
 namespace {
 
 /// One row per element, ordered by surface and texel: the column and row of its own texel, centre, normal (of a curved
-/// surface the mean), area and radiosity in W/m^2. For a quadtree leaf the texel is the first with area. `solved` must
-/// outlive the table.
+/// surface the mean), area and radiosity in W/m^2; with bands its colour, and the radiosity in each band. For a
+/// quadtree leaf the texel is the first with area. `solved` must outlive the table.
 Table elementTable(const SolvedScene& solved) {
   std::vector<std::vector<glm::dvec3>> means(solved.scene.surfaces.size());  // of curved surfaces
   for (std::size_t s = 0; s < means.size(); ++s)
@@ -37,23 +38,28 @@ Table elementTable(const SolvedScene& solved) {
     const glm::dvec3 normal =
         ofSurface.empty() ? ofTriangle : ofSurface[index - solved.discretization.grids[element.surface].firstElement];
     const glm::dvec3& b = solved.solution.radiosity[index];
-    return {solved.scene.surfaces[element.surface].name,
-            std::int64_t{element.texel % columns},
-            std::int64_t{element.texel / columns},
-            centre.x,
-            centre.y,
-            centre.z,
-            normal.x,
-            normal.y,
-            normal.z,
-            element.area,
-            b.r,
-            b.g,
-            b.b};
+    std::vector<Cell> cells{solved.scene.surfaces[element.surface].name,
+                            std::int64_t{element.texel % columns},
+                            std::int64_t{element.texel / columns},
+                            centre.x,
+                            centre.y,
+                            centre.z,
+                            normal.x,
+                            normal.y,
+                            normal.z,
+                            element.area,
+                            b.r,
+                            b.g,
+                            b.b};
+    for (std::size_t band = 0; solved.bands != nullptr && band < solved.bands->wavelengths.size(); ++band)
+      cells.emplace_back(radiosity::radiosityIn(*solved.bands, band, index));
+    return cells;
   };
-  return {{"surface", "column", "row", "x", "y", "z", "nx", "ny", "nz", "area", "b_r", "b_g", "b_b"},
-          solved.discretization.elements.size(),
-          row};
+  std::vector<std::string> columns{"surface", "column", "row",  "x",   "y",   "z",  "nx",
+                                   "ny",      "nz",     "area", "b_r", "b_g", "b_b"};
+  if (solved.bands != nullptr)
+    for (const double wavelength : solved.bands->wavelengths) columns.push_back(radiosity::bandName(wavelength));
+  return {columns, solved.discretization.elements.size(), row};
 }
 
 radiosity::ElementValues displayed(const SolvedScene& solved) {
@@ -146,6 +152,8 @@ std::vector<std::string> writeSolved(const std::filesystem::path& folder, const 
                                     options.metresPerUnit.value_or(1)};
   std::vector<std::string> warnings;
   if (lit) warnings = radiosity::writeLitScene(folder, *lit, view, solved.discretization, solved.solution.radiosity);
+  if (lit && solved.bands != nullptr)  // in place of the textures of the colour alone
+    radiosity::writeBandTextures(folder, solved.discretization, lit->layout, *solved.bands, solved.solution.radiosity);
   if (lit && options.lightmap)
     for (std::string& warning : writeLightMaps(folder, solved, lit->layout, view))
       warnings.push_back(std::move(warning));

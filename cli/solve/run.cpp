@@ -1,11 +1,14 @@
 #include "cli/solve/run.h"
 
 #include <algorithm>
+#include <functional>
 #include <utility>
 
 #include "cli/solve/facet_rows.h"
+#include "radiosity/bands/shared_rows.h"
 #include "radiosity/base/bytes.h"
 #include "radiosity/discretization/adaptive_subdivision.h"
+#include "radiosity/discretization/discretize.h"
 #include "radiosity/form_factors/scene_form_factors.h"
 #include "radiosity/pictures/visibility.h"
 #include "radiosity/ranks/rows_ahead.h"
@@ -57,9 +60,14 @@ radiosity::Solution solvedWithRanks(radiosity::Messenger& ranks, radiosity::Scen
   return solution;
 }
 
+/// Finds the solution of an input.
+using Solver = std::function<radiosity::Solution(radiosity::SolveInput input, const radiosity::Progress& progress,
+                                                 radiosity::SceneFormFactors& drawn)>;
+
 /// Solves with the options, discretization and layout of the result, and adds the solution to it. `seen`: see
 /// SeenLight.
-void solve(SolveResult& result, const radiosity::Scene& scene, Monitor& monitor, const std::vector<bool>& seen = {}) {
+void solve(SolveResult& result, const radiosity::Scene& scene, Monitor& monitor, const std::vector<bool>& seen = {},
+           const Solver& solver = {}) {
   const SolveOptions& options = result.options;
   radiosity::Discretization& discretization = result.discretization;
   // Also used with rays, because patches are split by hemicubes for both methods.
@@ -107,7 +115,8 @@ void solve(SolveResult& result, const radiosity::Scene& scene, Monitor& monitor,
     if (bounded) bounded->lookAhead(step);
     return shown(step);
   };
-  result.solution = options.ranks
+  result.solution = solver ? solver(std::move(input), progress, drawn)
+                    : options.ranks
                         ? solvedWithRanks(*options.ranks, drawn, std::move(input), progress, monitor.console())
                         : radiosity::solve(std::move(input), progress);
   monitor.console().endProgress();
@@ -160,7 +169,45 @@ void solveAdaptive(SolveResult& result, const radiosity::Scene& scene, Monitor& 
   solveElements(radiosity::adaptiveDiscretization(scene, options.discretization, *options.adaptive, solveElements));
 }
 
+/// The solutions of all groups, and the patches of the last one. Changes the light of the scene and the values of the
+/// discretization, which the input refers to. The whole spectrum decides how the brightest patches are split.
+radiosity::BandSolution solvedGroups(const BandScenes& scenes, radiosity::Scene& scene,
+                                     radiosity::Discretization& discretization, radiosity::SolveInput input,
+                                     const radiosity::Progress& progress, radiosity::SceneFormFactors& drawn) {
+  std::vector<const BandLight*> lights;
+  if (scenes.whole) lights.push_back(&*scenes.whole);
+  for (const BandLight& group : scenes.groups) lights.push_back(&group);
+  radiosity::Patches patches = std::move(input.patches);
+  const auto inputOf = [&](std::size_t number) {
+    setLight(scene, *lights[number]);
+    radiosity::averageMaps(scene, discretization);
+    input.outside = drawn.outsideFlux();
+    return input;
+  };
+  radiosity::BandSolution solution{scenes.wavelengths,
+                                   radiosity::solveWithSameRows(lights.size(), std::move(patches), inputOf, progress)};
+  if (scenes.whole) solution.groups.erase(solution.groups.begin());
+  return solution;
+}
+
 }  // namespace
+
+SolveResult solveBands(const SolveOptions& asked, const BandScenes& scenes, radiosity::Discretization discretization,
+                       Monitor& monitor) {
+  SolveResult result{asked, std::move(discretization)};
+  result.layout = layoutOf(asked.id, result.discretization, monitor.console());
+  radiosity::Scene scene = scenes.inColour;
+  const auto solver = [&](radiosity::SolveInput input, const radiosity::Progress& progress,
+                          radiosity::SceneFormFactors& drawn) {
+    result.bands = solvedGroups(scenes, scene, result.discretization, std::move(input), progress, drawn);
+    radiosity::averageMaps(scenes.inColour, result.discretization);
+    radiosity::Solution inColour = radiosity::inColour(scenes.inColour, result.discretization, *result.bands);
+    inColour.patches = std::move(result.bands->groups.back().patches);
+    return inColour;
+  };
+  solve(result, scene, monitor, {}, solver);
+  return result;
+}
 
 SolveResult solveScene(const SolveOptions& asked, const radiosity::Scene& scene, const radiosity::Camera& camera,
                        radiosity::Discretization discretization, Monitor& monitor) {

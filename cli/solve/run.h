@@ -4,8 +4,10 @@
 #include <optional>
 
 #include "cli/report/solved_page.h"
+#include "cli/solve/band_scenes.h"
 #include "cli/solve/monitor.h"
 #include "cli/solve/options.h"
+#include "radiosity/bands/colour_solution.h"
 #include "radiosity/discretization/discretization.h"
 #include "radiosity/index_maps/id_layout.h"
 #include "radiosity/pictures/camera.h"
@@ -26,6 +28,7 @@ struct SolveResult {
   std::optional<radiosity::LightErrors> expectedErrors = {};
   /// With facets and --max-error: the estimated error of the row of each surface; 0 if it did not shoot.
   std::vector<double> rowErrors = {};
+  std::optional<radiosity::BandSolution> bands = {};  ///< of which `solution` is the colour, with --bands
 };
 
 /// Solves the scene as the options ask. With --max-error the seen surfaces are those that `camera` shows.
@@ -34,5 +37,9 @@ struct SolveResult {
 /// --max-error cannot be reached.
 SolveResult solveScene(const SolveOptions& asked, const radiosity::Scene& scene, const radiosity::Camera& camera,
                        radiosity::Discretization discretization, Monitor& monitor);
+
+/// As above in bands, without a choice of elements or settings.
+SolveResult solveBands(const SolveOptions& asked, const BandScenes& scenes, radiosity::Discretization discretization,
+                       Monitor& monitor);
 
 }  // namespace hemitex::cli

@@ -107,6 +107,24 @@ ordered_json energyJson(const radiosity::Energy& energy, bool isLitFromOutside, 
   return text;
 }
 
+/// As energyJson: a list per flux, with one value per band.
+ordered_json energyJson(const radiosity::BandSolution& bands, bool isLitFromOutside, double squareMetres) {
+  using radiosity::Energy;
+  const auto watts = [&](glm::dvec3 Energy::*flux) {
+    ordered_json list = ordered_json::array();
+    for (std::size_t band = 0; band < bands.wavelengths.size(); ++band)
+      list.push_back(squareMetres * radiosity::fluxIn(bands, band, flux));
+    return list;
+  };
+  ordered_json text = {{"emitted", watts(&Energy::emitted)},
+                       {"absorbed", watts(&Energy::absorbed)},
+                       {"unshot", watts(&Energy::unshot)},
+                       {"lost", watts(&Energy::lost)},
+                       {"lost_to_backs", watts(&Energy::lostToBacks)}};
+  if (isLitFromOutside) text["sky_on_backs"] = watts(&Energy::skyOnBacks);
+  return text;
+}
+
 std::string shotsText(const ordered_json& solution, double seconds) {
   return std::to_string(solution["shots"].get<int>()) + " shots in " + roundedText(seconds) + " s, " +
          percentText(solution["residual"]) + " of the emitted flux unshot\n";
@@ -125,7 +143,9 @@ std::string titleOf(const std::string& flux) {
 }
 
 double sumOf(const ordered_json& bands) {
-  return bands[0].get<double>() + bands[1].get<double>() + bands[2].get<double>();
+  double sum = 0;
+  for (const ordered_json& band : bands) sum += band.get<double>();
+  return sum;
 }
 
 /// The unit for fluxes up to `flux` W, so that they have few digits before and behind the point.
@@ -140,16 +160,21 @@ FluxUnit fluxUnitFor(double flux) {
   return flux > 0 && flux < 0.1 ? FluxUnit{"mW", 1e-3} : FluxUnit{"W", 1};
 }
 
-/// One line per kind of flux: in each band, and the share of the emitted flux, summed over bands.
-std::string fluxText(const ordered_json& energy) {
+/// One line per kind of flux: in each of R, G and B, or in all bands of wavelengths, and the share of the emitted flux,
+/// summed over bands.
+std::string fluxText(const ordered_json& energy, bool areWavelengths) {
   const double emitted = sumOf(energy["emitted"]);
   const FluxUnit unit = fluxUnitFor(emitted);
   std::ostringstream text;
   text << '\n' << std::left << std::setw(16) << "flux in " + std::string(unit.name) << std::right;
-  for (const char* title : {"red", "green", "blue", "of emitted"}) text << std::setw(12) << title;
+  const std::vector<std::string> titles =
+      areWavelengths ? std::vector<std::string>{"all bands"} : std::vector<std::string>{"red", "green", "blue"};
+  for (const std::string& title : titles) text << std::setw(12) << title;
+  text << std::setw(12) << "of emitted";
   for (const auto& [name, bands] : energy.items()) {
     text << '\n' << std::left << std::setw(16) << titleOf(name) << std::right;
-    for (const ordered_json& flux : bands) text << std::setw(12) << roundedText(flux.get<double>() / unit.watts);
+    for (const ordered_json& flux : areWavelengths ? ordered_json{sumOf(bands)} : bands)
+      text << std::setw(12) << roundedText(flux.get<double>() / unit.watts);
     text << std::setw(12) << (emitted > 0 ? percentText(sumOf(bands) / emitted) : "-");
   }
   text << '\n';
@@ -181,6 +206,7 @@ ordered_json solutionSettings(const SolveOptions& options) {
   settings.update({{"max_error", orNull(options.maxError)},
                    {"residual", options.solver.shots ? ordered_json() : ordered_json(options.solver.residual)},
                    {"shots", orNull(options.solver.shots)}});
+  if (!options.bands.empty()) settings["bands"] = reference::sha256OfFile(options.bands);
   if (!options.matrix.empty()) settings["matrix"] = reference::sha256OfFile(options.matrix);
   return settings;
 }
@@ -198,20 +224,25 @@ ordered_json description(const SolvedScene& solved, const std::optional<radiosit
   if (materials.changeMaterials()) settings["materials"] = toJson(materials);
   settings.update(toJson(solved.scene.outside));
   const radiosity::Phantoms phantoms = radiosity::countPhantoms(solved.discretization, solved.layout);
-  return {{"scene", options.scene.file.filename().string()},
-          {"settings", settings},
-          {"surfaces", surfacesJson(solved, lit)},
-          {"sheets", sheetsJson(solved.scene)},
-          {"elements", solved.discretization.elements.size()},
-          {"patches", solved.discretization.patches.list.size()},
-          {"phantoms", phantoms.spareTexels + phantoms.alignmentGaps},
-          {"buried", buriedTexels(solved.discretization)},
-          {"phantom_causes", {{"spare_texels", phantoms.spareTexels}, {"alignment_gaps", phantoms.alignmentGaps}}},
-          {"index_bits", solved.layout.indexBits},
-          {"shots", solved.solution.shots},
-          {"residual", solved.solution.residual},
-          {"energy", energyJson(solved.solution.energy, radiosity::brightest(solved.scene.outside) > 0,
-                                squareMetresPerUnit(options))}};
+  const bool isLitFromOutside = radiosity::brightest(solved.scene.outside) > 0;
+  const double squareMetres = squareMetresPerUnit(options);
+  ordered_json text = {
+      {"scene", options.scene.file.filename().string()},
+      {"settings", settings},
+      {"surfaces", surfacesJson(solved, lit)},
+      {"sheets", sheetsJson(solved.scene)},
+      {"elements", solved.discretization.elements.size()},
+      {"patches", solved.discretization.patches.list.size()},
+      {"phantoms", phantoms.spareTexels + phantoms.alignmentGaps},
+      {"buried", buriedTexels(solved.discretization)},
+      {"phantom_causes", {{"spare_texels", phantoms.spareTexels}, {"alignment_gaps", phantoms.alignmentGaps}}},
+      {"index_bits", solved.layout.indexBits},
+      {"shots", solved.solution.shots},
+      {"residual", solved.solution.residual},
+      {"energy", solved.bands != nullptr ? energyJson(*solved.bands, isLitFromOutside, squareMetres)
+                                         : energyJson(solved.solution.energy, isLitFromOutside, squareMetres)}};
+  if (solved.bands != nullptr) text["bands"] = solved.bands->wavelengths;
+  return text;
 }
 
 std::string summary(const ordered_json& solution) {
@@ -223,7 +254,8 @@ std::string summary(const ordered_json& solution) {
   if (solution.contains("frames"))
     for (const ordered_json& frame : solution["frames"])
       text << frame["folder"].get<std::string>() << ": " << shotsText(frame, frame["times"]["update_s"]);
-  text << expectedErrorText(solution) << emissionText(solution) << fluxText(solution["energy"]);
+  text << expectedErrorText(solution) << emissionText(solution)
+       << fluxText(solution["energy"], solution.contains("bands"));
   return text.str();
 }
 

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "cli/solve/options.h"
+#include "radiosity/bands/colour_solution.h"
 #include "radiosity/discretization/discretization.h"
 #include "radiosity/index_maps/id_layout.h"
 #include "radiosity/pictures/camera.h"
@@ -24,7 +25,8 @@ struct SolvedScene {
   const radiosity::Discretization& discretization;
   const radiosity::IdLayout& layout;
   const radiosity::Solution& solution;
-  std::span<const double> rowErrors = {};  ///< see SolveResult
+  std::span<const double> rowErrors = {};          ///< see SolveResult
+  const radiosity::BandSolution* bands = nullptr;  ///< of which `solution` is the colour; null without --bands
 };
 
 /// The area of a surface's elements, and means over this area.

@@ -12,6 +12,7 @@
 #include "cli/common/program.h"
 #include "cli/common/staging.h"
 #include "cli/scene/sealed_folder.h"
+#include "cli/solve/band_scenes.h"
 #include "cli/solve/edits_file.h"
 #include "cli/solve/options.h"
 #include "cli/solve/output.h"
@@ -113,7 +114,8 @@ std::set<std::filesystem::path> inputFiles(const SolveOptions& options, const ra
                                            const std::vector<Frame>& frames) {
   std::set<std::filesystem::path> files(scene.files.begin(), scene.files.end());
   for (const Frame& frame : frames) files.insert(frame.files.begin(), frame.files.end());
-  files.insert({viewFileOf(options.scene.file), options.scene.materials.lightsFile, options.edits, options.matrix});
+  files.insert({viewFileOf(options.scene.file), options.scene.materials.lightsFile, options.edits, options.matrix,
+                options.bands});
   files.erase(std::filesystem::path());
   return files;
 }
@@ -149,8 +151,14 @@ ordered_json writeResult(const radiosity::Scene& scene, const radiosity::Camera&
                          Laps& laps) {
   Console& console = monitor.console();
   SolveOptions& options = result.options;
-  const SolvedScene solved{options,       camera,          scene,           result.discretization,
-                           result.layout, result.solution, result.rowErrors};
+  const SolvedScene solved{options,
+                           camera,
+                           scene,
+                           result.discretization,
+                           result.layout,
+                           result.solution,
+                           result.rowErrors,
+                           result.bands ? &*result.bands : nullptr};
   console.warnings(unitWarning(solved));
   options.camera.exposure = exposureOf(solved);  // also that of all frames
   std::optional<radiosity::LitScene> lit = litScene(solved);
@@ -202,9 +210,12 @@ void solve(SolveOptions asked, Context& context) {
   Console& console = context.console;
   if (asked.isContinued) asked.discretization.isUnburied = true;
   Laps laps;
-  const radiosity::Scene scene = sceneOf(asked.scene, console);
+  const std::optional<BandScenes> bands =
+      asked.bands.empty() ? std::nullopt : std::optional(bandScenes(asked.scene, asked.bands));
+  const radiosity::Scene scene = bands ? bands->inColour : sceneOf(asked.scene, console);
+  if (bands) console.warnings(scene.warnings);
   asked.solver.residual = asked.residual.value_or(radiosity::defaultResidual(scene));
-  requireLight(scene, asked.scene.file, ", or --sky 1,1,1 for light from outside");
+  if (!bands) requireLight(scene, asked.scene.file, ", or --sky 1,1,1 for light from outside");
   const radiosity::Camera camera = cameraOf(asked.camera, scene, asked.scene.file);
   const std::vector<Frame> frames =
       asked.edits.empty() ? std::vector<Frame>() : readEdits(asked.edits, scene, asked.scene.settings);
@@ -215,7 +226,8 @@ void solve(SolveOptions asked, Context& context) {
   staging.requirePlaces(outputNames(asked, scene, unsplit, frames.size()), inputFiles(asked, scene, frames));
   Monitor monitor(console, asked.longRun, scene, toText(solutionSettings(asked)));
   laps.lap("discretize_s");
-  SolveResult result = solveScene(asked, scene, camera, std::move(unsplit), monitor);
+  SolveResult result = bands ? solveBands(asked, *bands, std::move(unsplit), monitor)
+                             : solveScene(asked, scene, camera, std::move(unsplit), monitor);
   warnOf(result, console);
   laps.lap("solve_s");
   const int shots = result.solution.shots;
@@ -239,8 +251,8 @@ void addSolve(Command program, Context& context) {
       {"data/cornell-box.obj -o lit --report", "house.obj -o lit --sky 1,1,1.2 --sun 1,3,2=4,4,3.5 --max-error 0.02"});
   command.onRead([options, command, &context] {
     completeOptions(command, *options);
-    context.isShared =
-        options->edits.empty() && !usesRays(*options) && !boundsRows(*options) && options->matrix.empty();
+    context.isShared = options->edits.empty() && options->bands.empty() && !usesRays(*options) &&
+                       !boundsRows(*options) && options->matrix.empty();
     context.command = [options, &context] { solve(*options, context); };
   });
 }

@@ -154,7 +154,7 @@ Solution solve(SolveInput input, const Progress& progress) {
           : ShootingState(scene, discretization, std::move(input.patches), std::move(nothing));
   const std::size_t bytes = input.settings.rowCacheBytes;
   KeptRows rows{RowCache(input.isContinued ? bytes / 2 : bytes), RowCache(bytes / 2)};
-  Solution solution = shoot(input, state, rows.ofPatches, progress, past);
+  Solution solution = shoot(input, state, input.rows != nullptr ? *input.rows : rows.ofPatches, progress, past);
   return finished(input, std::move(solution), std::move(state), std::move(rows));
 }
 
