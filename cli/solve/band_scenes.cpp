@@ -12,7 +12,8 @@ namespace {
 /// The options with their colours in the bands of a group.
 MaterialOptions inGroup(MaterialOptions options, const radiosity::BandGroup& group,
                         const std::vector<double>& wavelengths) {
-  const auto light = [&](glm::dvec3& colour) { colour = radiosity::lightIn(group, wavelengths, colour); };
+  const glm::dmat3 ofColour = radiosity::lightIn(group, wavelengths);
+  const auto light = [&](glm::dvec3& colour) { colour = ofColour * colour; };
   for (NamedColor& emission : options.emissions) light(emission.color);
   for (NamedColor& paint : options.reflectances)
     paint.color = radiosity::reflectanceIn(group, wavelengths, paint.color);
@@ -55,7 +56,8 @@ BandScenes bandScenes(const SceneOptions& options, const std::filesystem::path& 
     radiosity::Scene changed = withMaterials(radiosity::inGroup(scene, bands, group),
                                              inGroup(options.materials, group, bands.wavelengths), options.settings);
     isLit = isLit || radiosity::emitsLight(changed);
-    return BandLight{std::move(changed.materials), std::move(changed.images), std::move(changed.outside)};
+    return BandLight{std::move(changed.materials), std::move(changed.images),
+                     radiosity::lightIn(group, bands.wavelengths)};
   };
   for (const radiosity::BandGroup& group : radiosity::groupsOfBands(bands.wavelengths.size()))
     result.groups.push_back(lightOf(group));
@@ -67,7 +69,6 @@ BandScenes bandScenes(const SceneOptions& options, const std::filesystem::path& 
 void setLight(radiosity::Scene& scene, const BandLight& light) {
   scene.materials = light.materials;
   scene.images = light.images;
-  scene.outside = light.outside;
 }
 
 }  // namespace hemitex::cli

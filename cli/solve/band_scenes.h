@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <glm/glm.hpp>
 #include <optional>
 #include <vector>
 
@@ -15,7 +16,7 @@ namespace hemitex::cli {
 struct BandLight {
   std::vector<radiosity::Material> materials;
   std::vector<radiosity::Image> images;
-  radiosity::OutsideLight outside;
+  glm::dmat3 ofColour{0.0};  ///< from the colour of light from outside, as lightIn
 };
 
 struct BandScenes {
@@ -29,7 +30,7 @@ struct BandScenes {
 /// bands that it stands for. Throws InputError as loadedScene and readBands, and if nothing emits in any band.
 BandScenes bandScenes(const SceneOptions& options, const std::filesystem::path& bandsFile);
 
-/// Gives a scene the materials, maps and light of a group.
+/// Gives a scene the materials and maps of a group.
 void setLight(radiosity::Scene& scene, const BandLight& light);
 
 }  // namespace hemitex::cli

@@ -61,8 +61,7 @@ radiosity::Solution solvedWithRanks(radiosity::Messenger& ranks, radiosity::Scen
 }
 
 /// Finds the solution of an input.
-using Solver = std::function<radiosity::Solution(radiosity::SolveInput input, const radiosity::Progress& progress,
-                                                 radiosity::SceneFormFactors& drawn)>;
+using Solver = std::function<radiosity::Solution(radiosity::SolveInput input, const radiosity::Progress& progress)>;
 
 /// Solves with the options, discretization and layout of the result, and adds the solution to it. `seen`: see
 /// SeenLight.
@@ -115,7 +114,7 @@ void solve(SolveResult& result, const radiosity::Scene& scene, Monitor& monitor,
     if (bounded) bounded->lookAhead(step);
     return shown(step);
   };
-  result.solution = solver ? solver(std::move(input), progress, drawn)
+  result.solution = solver ? solver(std::move(input), progress)
                     : options.ranks
                         ? solvedWithRanks(*options.ranks, drawn, std::move(input), progress, monitor.console())
                         : radiosity::solve(std::move(input), progress);
@@ -173,7 +172,7 @@ void solveAdaptive(SolveResult& result, const radiosity::Scene& scene, Monitor& 
 /// discretization, which the input refers to. The whole spectrum decides how the brightest patches are split.
 radiosity::BandSolution solvedGroups(const BandScenes& scenes, radiosity::Scene& scene,
                                      radiosity::Discretization& discretization, radiosity::SolveInput input,
-                                     const radiosity::Progress& progress, radiosity::SceneFormFactors& drawn) {
+                                     const radiosity::Progress& progress) {
   std::vector<const BandLight*> lights;
   if (scenes.whole) lights.push_back(&*scenes.whole);
   for (const BandLight& group : scenes.groups) lights.push_back(&group);
@@ -181,8 +180,10 @@ radiosity::BandSolution solvedGroups(const BandScenes& scenes, radiosity::Scene&
   const auto inputOf = [&](std::size_t number) {
     setLight(scene, *lights[number]);
     radiosity::averageMaps(scene, discretization);
-    input.outside = drawn.outsideFlux();
-    return input;
+    radiosity::SolveInput next = input;
+    for (glm::dvec3& flux : next.outside.received) flux = lights[number]->ofColour * flux;
+    next.outside.onBacks = lights[number]->ofColour * next.outside.onBacks;
+    return next;
   };
   radiosity::BandSolution solution{scenes.wavelengths,
                                    radiosity::solveWithSameRows(lights.size(), std::move(patches), inputOf, progress)};
@@ -197,9 +198,8 @@ SolveResult solveBands(const SolveOptions& asked, const BandScenes& scenes, radi
   SolveResult result{asked, std::move(discretization)};
   result.layout = layoutOf(asked.id, result.discretization, monitor.console());
   radiosity::Scene scene = scenes.inColour;
-  const auto solver = [&](radiosity::SolveInput input, const radiosity::Progress& progress,
-                          radiosity::SceneFormFactors& drawn) {
-    result.bands = solvedGroups(scenes, scene, result.discretization, std::move(input), progress, drawn);
+  const auto solver = [&](radiosity::SolveInput input, const radiosity::Progress& progress) {
+    result.bands = solvedGroups(scenes, scene, result.discretization, std::move(input), progress);
     radiosity::averageMaps(scenes.inColour, result.discretization);
     radiosity::Solution inColour = radiosity::inColour(scenes.inColour, result.discretization, *result.bands);
     inColour.patches = std::move(result.bands->groups.back().patches);

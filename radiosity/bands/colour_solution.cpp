@@ -59,10 +59,11 @@ Solution inColour(const Scene& scene, const Discretization& discretization, cons
     solution.residual = std::max(solution.residual, group.residual);
     solution.shots += group.shots;
     solution.isInterrupted = solution.isInterrupted || group.isInterrupted;
-    for (const std::string& warning : group.warnings)
-      if (std::find(solution.warnings.begin(), solution.warnings.end(), warning) == solution.warnings.end())
-        solution.warnings.push_back(warning);
   }
+  const auto emitsLess = [](const Solution& a, const Solution& b) {
+    return bandSum(a.energy.emitted) < bandSum(b.energy.emitted);
+  };
+  solution.warnings = std::max_element(groups.begin(), groups.end(), emitsLess)->warnings;
   return solution;
 }
 

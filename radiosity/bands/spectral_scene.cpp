@@ -94,11 +94,15 @@ BandGroup wholeSpectrum(std::span<const double> wavelengths) {
   return group;
 }
 
-glm::dvec3 lightIn(const BandGroup& group, std::span<const double> wavelengths, const glm::dvec3& colour) {
+glm::dmat3 lightIn(const BandGroup& group, std::span<const double> wavelengths) {
   const glm::dvec3 equalEnergy = linearSrgb({{555}, {1}});
-  return sumIn(group, [light = colour / equalEnergy, wavelengths](std::size_t band) {
-    return light[channelOf(wavelengths[band])];
-  });
+  glm::dmat3 matrix(0);
+  for (int place = 0; place < 3; ++place)
+    for (const std::size_t band : group[static_cast<std::size_t>(place)]) {
+      const int channel = channelOf(wavelengths[band]);
+      matrix[channel][place] += 1 / equalEnergy[channel];
+    }
+  return matrix;
 }
 
 glm::dvec3 reflectanceIn(const BandGroup& group, std::span<const double> wavelengths, const glm::dvec3& colour) {
@@ -109,17 +113,18 @@ Scene inGroup(Scene scene, const SpectralBands& bands, const BandGroup& group) {
   const auto at = [&](const Spectrum& spectrum) {
     return [&](std::size_t band) { return valueAt(spectrum, bands.wavelengths[band]); };
   };
+  const glm::dmat3 light = lightIn(group, bands.wavelengths);
   for (Material& material : scene.materials) {
     const MaterialSpectra* spectra = spectraOf(material, bands);
     material.reflectance = spectra != nullptr && spectra->reflectance
                                ? meanIn(group, at(*spectra->reflectance))
                                : reflectanceIn(group, bands.wavelengths, material.reflectance);
-    material.emission = spectra != nullptr && spectra->emission ? sumIn(group, at(*spectra->emission))
-                                                                : lightIn(group, bands.wavelengths, material.emission);
+    material.emission =
+        spectra != nullptr && spectra->emission ? sumIn(group, at(*spectra->emission)) : light * material.emission;
   }
   for (Image& image : scene.images) exchangeChannels(image, group, bands.wavelengths);
-  scene.outside.sky = lightIn(group, bands.wavelengths, scene.outside.sky);
-  for (Sun& sun : scene.outside.suns) sun.irradiance = lightIn(group, bands.wavelengths, sun.irradiance);
+  scene.outside.sky = light * scene.outside.sky;
+  for (Sun& sun : scene.outside.suns) sun.irradiance = light * sun.irradiance;
   return scene;
 }
 

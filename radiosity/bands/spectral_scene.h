@@ -52,8 +52,8 @@ BandPlace placeOf(std::size_t band, std::size_t bands);
 /// All bands, in the places of the colours that stand for them: a coarse view of the whole spectrum.
 BandGroup wholeSpectrum(std::span<const double> wavelengths);
 
-/// The light of a colour in a group: in each place the sum over its bands.
-glm::dvec3 lightIn(const BandGroup& group, std::span<const double> wavelengths, const glm::dvec3& colour);
+/// The matrix from the colour of light to its values in a group: in each place the sum over its bands.
+glm::dmat3 lightIn(const BandGroup& group, std::span<const double> wavelengths);
 /// The reflectance of a colour in a group: in each place the mean over its bands.
 glm::dvec3 reflectanceIn(const BandGroup& group, std::span<const double> wavelengths, const glm::dvec3& colour);
 

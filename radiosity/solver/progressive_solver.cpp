@@ -160,7 +160,7 @@ Solution solve(SolveInput input, const Progress& progress) {
 
 Solution refine(SolveInput input, Continuation past, const Progress& progress) {
   ShootingState state(input.scene, input.discretization, std::move(input.patches), std::move(past.light));
-  Solution solution = shoot(input, state, past.rows.ofPatches, progress);
+  Solution solution = shoot(input, state, input.rows != nullptr ? *input.rows : past.rows.ofPatches, progress);
   return finished(input, std::move(solution), std::move(state), std::move(past.rows));
 }
 

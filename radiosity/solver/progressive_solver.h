@@ -56,7 +56,7 @@ struct SolveInput {
   const Snapshot* snapshot = nullptr;  ///< goes on from here; all else must be that of the solution that it is of
   bool isContinued = false;            ///< see Solution::continuation
   /// Rows of earlier solutions with other light, whose patches are those of this one or were split into them. They are
-  /// used and kept there. Null for rows of this solution alone; `isContinued` needs that.
+  /// used and kept there. Null for rows of this solution alone.
   RowCache* rows = nullptr;
 };
 
