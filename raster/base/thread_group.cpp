@@ -24,13 +24,14 @@ void forEachOnThreads(std::size_t count, std::size_t threads, const std::functio
     }
   };
   {
-    std::vector<std::jthread> others;
+    std::vector<std::thread> others;
     try {
       for (std::size_t k = 1; k < std::min(threads, count); ++k) others.emplace_back(work);
     } catch (const std::system_error&) {
       // The system starts no more threads.
     }
     work();
+    for (std::thread& other : others) other.join();
   }
   if (failure) std::rethrow_exception(failure);
 }

@@ -4,6 +4,7 @@
 #include <bit>
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
+#include <cstring>
 
 namespace hemitex::raster {
 namespace {
@@ -20,12 +21,18 @@ struct Scaled {
 /// The exponent of the lowest bit of a normal double: its exponent minus 52. Values converted from binary32 are normal,
 /// also after clipping.
 int lowestBit(double value) {
-  const auto bits = std::bit_cast<std::uint64_t>(value);
+  std::uint64_t bits = 0;
+  std::memcpy(&bits, &value, sizeof bits);
   return static_cast<int>(bits >> 52 & 0x7ff) - 1075 + std::min(std::countr_zero(bits), 52);
 }
 
 /// 2^exponent, for -1022 to 1023.
-double powerOfTwo(int exponent) { return std::bit_cast<double>(static_cast<std::uint64_t>(exponent + 1023) << 52); }
+double powerOfTwo(int exponent) {
+  const std::uint64_t bits = static_cast<std::uint64_t>(exponent + 1023) << 52;
+  double value = 0;
+  std::memcpy(&value, &bits, sizeof value);
+  return value;
+}
 
 Scaled scale(const std::array<double, 3>& values) {
   Scaled scaled{values, 0};

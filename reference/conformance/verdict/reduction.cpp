@@ -41,7 +41,7 @@ raster::DrawList withTriangles(const raster::DrawList& list, std::span<const Dra
       }
       result.draws.push_back(draw);
     }
-    const auto corners = list.indices.begin() + 3 * std::ptrdiff_t{each.triangle};
+    const auto corners = list.indices.begin() + 3 * static_cast<std::ptrdiff_t>(each.triangle);
     result.indices.insert(result.indices.end(), corners, corners + 3);
     result.draws.back().count += 3;
   }
