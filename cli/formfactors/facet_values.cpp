@@ -1,7 +1,6 @@
 #include "cli/formfactors/facet_values.h"
 
 #include <algorithm>
-#include <numeric>
 #include <string>
 
 #include "raster/base/input_error.h"
@@ -10,10 +9,12 @@ namespace hemitex::cli {
 namespace {
 
 /// The entries of a row as one value per facet.
-radiosity::FaceArray valuesOf(const std::string& name, const reference::Row& row, const std::vector<double>& entries,
-                              std::size_t facets) {
+template <typename Entry>
+radiosity::FaceArray valuesOf(const std::string& name, const std::vector<std::uint32_t>& column,
+                              const std::vector<Entry>& entries, std::size_t facets) {
   radiosity::FaceArray array{name, 1, std::vector<double>(facets, 0.0)};
-  for (std::size_t k = 0; k < row.receiver.size(); ++k) array.values[row.receiver[k]] = entries[k];
+  for (std::size_t k = 0; k < entries.size(); ++k)
+    if (column[k] < facets) array.values[column[k]] = static_cast<double>(entries[k]);
   return array;
 }
 
@@ -27,27 +28,29 @@ FacetValues::FacetValues(std::size_t facets, const std::vector<int>& chosen)
                                "it has " + std::to_string(facets) + ", counted from 0");
 }
 
-void FacetValues::take(const reference::Row& row) {
+void FacetValues::take(const reference::SparseRow& row, double error) {
   for (std::size_t c = 0; c < chosen_.size(); ++c)
-    if (static_cast<std::size_t>(chosen_[c]) == taken_) rows_[c] = row;
-  sum_.values.push_back(std::accumulate(row.formFactor.begin(), row.formFactor.end(), 0.0));
-  surroundings_.values.push_back(row.background.value_or(0));
-  backs_.values.push_back(row.back.value_or(0));
-  error_.values.resize(taken_);  // facets without area have no error
-  if (row.error) error_.values.push_back(*row.error);
-  ++taken_;
+    if (static_cast<std::size_t>(chosen_[c]) == sum_.values.size())
+      rows_[c] = {{row.column.begin(), row.column.end()},
+                  {row.value.begin(), row.value.end()},
+                  {row.error.begin(), row.error.end()}};
+  double sum = 0, surroundings = 0, backs = 0;
+  for (std::size_t k = 0; k < row.column.size(); ++k)
+    (row.column[k] < facets_ ? sum : row.column[k] == facets_ ? surroundings : backs) += row.value[k];
+  sum_.values.push_back(sum);
+  surroundings_.values.push_back(surroundings);
+  backs_.values.push_back(backs);
+  error_.values.push_back(error);
 }
 
 std::vector<radiosity::FaceArray> FacetValues::arrays() const {
   std::vector<radiosity::FaceArray> arrays{sum_, surroundings_, backs_};
-  const bool hasErrors = std::any_of(error_.values.begin(), error_.values.end(), [](double e) { return e > 0; });
-  if (hasErrors) arrays.push_back(error_);
-  if (hasErrors) arrays.back().values.resize(facets_);
+  if (std::any_of(error_.values.begin(), error_.values.end(), [](double e) { return e > 0; })) arrays.push_back(error_);
   for (std::size_t c = 0; c < chosen_.size(); ++c) {
     const std::string facet = std::to_string(chosen_[c]);
-    arrays.push_back(valuesOf("form_factor_from_" + facet, rows_[c], rows_[c].formFactor, facets_));
-    if (!rows_[c].standardError.empty())
-      arrays.push_back(valuesOf("standard_error_from_" + facet, rows_[c], rows_[c].standardError, facets_));
+    arrays.push_back(valuesOf("form_factor_from_" + facet, rows_[c].column, rows_[c].value, facets_));
+    if (!rows_[c].error.empty())
+      arrays.push_back(valuesOf("standard_error_from_" + facet, rows_[c].column, rows_[c].error, facets_));
   }
   return arrays;
 }

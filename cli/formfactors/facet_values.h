@@ -2,10 +2,11 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "radiosity/meshes/polygon_mesh.h"
-#include "reference/truth/rows/scene_rows.h"
+#include "reference/truth/matrices/sparse_matrix.h"
 
 namespace hemitex::cli {
 
@@ -14,8 +15,8 @@ class FacetValues {
   /// `chosen` are facets whose rows are shown. Throws InputError if one is not below `facets`.
   FacetValues(std::size_t facets, const std::vector<int>& chosen);
 
-  /// Takes the next row.
-  void take(const reference::Row& row);
+  /// Takes the next row, with the columns of surroundings and backs, and the estimate of its error.
+  void take(const reference::SparseRow& row, double error);
 
   /// After all rows, one value per facet: `row_sum` over facets, `surroundings`, `backs`, and where rows have one the
   /// estimated `error`. Then for each chosen facet N `form_factor_from_N`, and `standard_error_from_N` if there are
@@ -23,10 +24,16 @@ class FacetValues {
   std::vector<radiosity::FaceArray> arrays() const;
 
  private:
-  std::size_t facets_, taken_ = 0;
+  struct Kept {
+    std::vector<std::uint32_t> column = {};
+    std::vector<double> value = {};
+    std::vector<float> error = {};
+  };
+
+  std::size_t facets_;
   radiosity::FaceArray sum_{"row_sum"}, surroundings_{"surroundings"}, backs_{"backs"}, error_{"error"};
   std::vector<int> chosen_;
-  std::vector<reference::Row> rows_;  ///< of the chosen facets
+  std::vector<Kept> rows_;  ///< of the chosen facets
 };
 
 }  // namespace hemitex::cli

@@ -279,14 +279,18 @@ double errorOf(const reference::SparseRow& row, std::size_t facets) {
 /// Writes the rows of a matrix, or smooths them first, and collects what the JSON file says of them.
 class MatrixOutput {
  public:
-  MatrixOutput(const std::filesystem::path& file, const reference::MatrixHeading& heading, bool isSmooth)
-      : heading_(heading), writer_(file, heading) {
+  /// `watch` is called with each row that is written and the estimate of its error, 0 if there is none.
+  using Watch = std::function<void(const reference::SparseRow& row, double error)>;
+
+  MatrixOutput(const std::filesystem::path& file, const reference::MatrixHeading& heading, bool isSmooth, Watch watch)
+      : heading_(heading), writer_(file, heading), watch_(std::move(watch)) {
     if (isSmooth) smoother_.emplace(heading.area);
   }
 
   void take(const Row& row) {
     const MatrixRow complete(row, heading_);
-    if (row.error) measured_.push_back({*row.error, errorOf(complete.span(), heading_.facets())});
+    measured_.push_back({row.error.value_or(0), errorOf(complete.span(), heading_.facets())});
+    hasRowErrors_ = hasRowErrors_ || row.error;
     if (smoother_)
       smoother_->add(complete.span());
     else
@@ -304,7 +308,7 @@ class MatrixOutput {
   }
   nlohmann::ordered_json toJson() const {
     nlohmann::ordered_json text{{"entries", entries_}, {"row_sums", {smallestSum_, largestSum_}}};
-    if (!errors_.empty()) text["errors"] = errors_;
+    if (hasRowErrors_) text["errors"] = errors_;
     return text;
   }
 
@@ -317,23 +321,24 @@ class MatrixOutput {
       smallestSum_ = std::min(smallestSum_, sum);
       largestSum_ = std::max(largestSum_, sum);
     }
-    if (!measured_.empty()) {
-      const auto& [error, ofEntries] = measured_[errors_.size()];
-      const bool isChanged = smoother_ && ofEntries > 0;
-      errors_.push_back(isChanged ? error * errorOf(row, heading_.facets()) / ofEntries : error);
-    }
+    const auto& [error, ofEntries] = measured_[errors_.size()];
+    const bool isChanged = smoother_ && ofEntries > 0;
+    errors_.push_back(isChanged ? error * errorOf(row, heading_.facets()) / ofEntries : error);
+    if (watch_) watch_(row, errors_.back());
     writer_.write(row);
   }
 
   reference::MatrixHeading heading_;
   reference::MatrixWriter writer_;
+  Watch watch_;
   std::optional<reference::MatrixSmoother> smoother_;
   /// The error of a row before it is smoothed, and the sum of those of its entries.
   struct RowError {
     double row = 0, ofEntries = 0;
   };
-  std::vector<RowError> measured_;  ///< one per row, if the method has errors
+  std::vector<RowError> measured_;  ///< one per row; 0 if the method or the row has none
   std::vector<double> errors_;      ///< of the rows that are written
+  bool hasRowErrors_ = false;
   std::size_t entries_ = 0;
   double smallestSum_ = std::numeric_limits<double>::infinity(), largestSum_ = 0;
 };
@@ -362,14 +367,13 @@ void writeMatrix(const FormFactorOptions& options, Context& context, const radio
   if (!file) return forEachRow(rowFrom, families, nullptr, context, [](const Row&) {});
   reference::MatrixHeading heading = headingOf(families, receivers);
   heading.hasErrors = options.maxError || options.method == "rays";
-  MatrixOutput matrix(file->staged(), heading, options.smooth);
   FacetValues values(heading.facets(), options.vtuRows);
   std::optional<FacetFile> facets;
   if (!options.vtu.empty()) facets.emplace(options.vtu, std::set(scene.files.begin(), scene.files.end()));
-  forEachRow(rowFrom, families, file.get(), context, [&](const Row& row) {
-    if (facets) values.take(row);
-    matrix.take(row);
+  MatrixOutput matrix(file->staged(), heading, options.smooth, [&](const reference::SparseRow& row, double error) {
+    if (facets) values.take(row, error);
   });
+  forEachRow(rowFrom, families, file.get(), context, [&](const Row& row) { matrix.take(row); });
   const std::optional<reference::SmoothingMoves> moves = matrix.finish();
   if (facets) facets->write(options.scene.file, values.arrays());
   nlohmann::ordered_json result{{"matrix", options.output.filename().string()},

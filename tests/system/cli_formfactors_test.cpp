@@ -319,6 +319,14 @@ TEST_CASE("hemitex formfactors --facets gives the row of each face of a mesh, an
   CHECK(row.value[0] == Approx(row.value[1]).margin(1e-3));
   const auto lines = linesOf(shell.output("formfactors m.ply --all --by-surface"));
   CHECK(lines.size() == 2);
+  // Also estimated errors have one number per face.
+  for (const std::string smooth : {"", " --smooth"}) {
+    shell.output("formfactors m.ply --all --max-error 0.1 -o E.npz" + smooth);
+    const auto errors = json::parse(readAll(shell.file("E.json")))["errors"].get<std::vector<double>>();
+    REQUIRE(errors.size() == 4);
+    CHECK(errors[1] == 0);
+    CHECK(errors[3] > 0);
+  }
 }
 
 namespace {
