@@ -155,7 +155,8 @@ def measure(table, options, name, scene, bounds, has_view3d):
         table.count(compared[2], len(rows), max(compared[0] - compared[1], 0), bound)
     if has_view3d:
         to_view3d(scene, f'{work}/scene.vs3')
-        used = run([options.view3d, f'{work}/scene.vs3', f'{work}/scene.vf'], silent=True)
+        # View3D leaves a log where it runs.
+        used = run([os.path.abspath(options.view3d), 'scene.vs3', 'scene.vf'], silent=True, folder=work)
         error, noise, _ = compare(view3d_rows(f'{work}/scene.vf', rows), truth, area, None)
         table.add(name, facets, 'View3D', used, facets * facets, (error, noise, None), len(rows))
 

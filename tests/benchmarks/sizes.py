@@ -14,10 +14,10 @@ import sys
 SHOTS = 100
 
 
-def run(arguments, stdout=None, silent=False):
+def run(arguments, stdout=None, silent=False, folder=None):
     """Runs a command. Returns its processor time in seconds and its peak memory in bytes."""
     process = subprocess.Popen(arguments, stdout=subprocess.DEVNULL if silent else stdout,
-                               stderr=subprocess.DEVNULL if silent else None)
+                               stderr=subprocess.DEVNULL if silent else None, cwd=folder)
     _, status, usage = os.wait4(process.pid, 0)
     process.returncode = os.waitstatus_to_exitcode(status)
     if process.returncode != 0:
