@@ -28,7 +28,7 @@ Kept keep(py::object object);
 /// Tells Python how far a call is, at most twenty times per second. Also lets Ctrl-C end the call.
 class Progress {
  public:
-  /// `callback` takes the share that is done, in [0, 1]; None: nobody is told.
+  /// `callback` takes the share that is done, in [0, 1]; None: no progress is reported.
   explicit Progress(py::object callback) : callback_(keep(std::move(callback))) {}
 
   /// To be called without the lock, by the thread of the call. Returns whether the callback did not return False.
