@@ -362,14 +362,16 @@ void writeMatrix(const FormFactorOptions& options, Context& context, const radio
   const Families families = options.scene.settings.facets ? radiosity::facetsOf(scene) : radiosity::familiesOf(scene);
   const RowReceivers receivers = reference::familiesAsReceivers(scene, discretization, families);
   const std::string description = std::filesystem::path(options.output).replace_extension(".json").filename();
+  // These refuse a wrong facet or file before there is a file of rows.
+  FacetValues values(families.names.size(), options.vtuRows);
+  std::optional<FacetFile> facets;
+  if (!options.vtu.empty() && context.isWriter())
+    facets.emplace(options.vtu, std::set(scene.files.begin(), scene.files.end()));
   const std::unique_ptr<RowFile> file = rowFileOf(options, context, scene, {description});
   const RowMethod rowFrom = methodOf(options, scene, discretization, receivers, context);
   if (!file) return forEachRow(rowFrom, families, nullptr, context, [](const Row&) {});
   reference::MatrixHeading heading = headingOf(families, receivers);
   heading.hasErrors = options.maxError || options.method == "rays";
-  FacetValues values(heading.facets(), options.vtuRows);
-  std::optional<FacetFile> facets;
-  if (!options.vtu.empty()) facets.emplace(options.vtu, std::set(scene.files.begin(), scene.files.end()));
   MatrixOutput matrix(file->staged(), heading, options.smooth, [&](const reference::SparseRow& row, double error) {
     if (facets) values.take(row, error);
   });

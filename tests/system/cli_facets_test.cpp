@@ -150,6 +150,7 @@ TEST_CASE("hemitex formfactors --vtu writes what the matrix says of each facet",
         "room.obj --all --facets -o G.npz --vtu G.vtu --row 99", "room.obj --from walls --vtu G.vtu"}) {
     CAPTURE(arguments);
     CHECK(shell.run("formfactors " + std::string(arguments)).exitCode == 2);
+    CHECK_FALSE(shell.files().contains("G.npz.part"));
   }
 }
 

@@ -11,9 +11,10 @@
 /// alone (radiosity/projection/covered_share.h). Both sums have the same points and pixels, so that most errors of the
 /// hemicubes cancel. A facet that covers very few pixels keeps the light through its pixels.
 ///
-/// The points are of low discrepancy, with more of them until the estimated error is small enough. The estimate
-/// compares two halves of the points: each visible part is measured twice, and the row's error is half of the sum of
-/// the differences.
+/// The points are centroids of equal parts of the facet, with more of them until the estimated error is small enough.
+/// The estimate compares two sets of points: each visible part is measured twice, and the row's error is twice the sum
+/// of the differences, and a little more than a pixel. At the end the shares are changed by their errors so that they
+/// sum to 1.
 #pragma once
 
 #include <cstdint>
