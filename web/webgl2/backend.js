@@ -1,7 +1,8 @@
-// A backend for browsers: draws the item buffers of a test vector with WebGL2. docs/backend.md explains the steps.
+// A backend for browsers: draws the item buffers of test vectors with WebGL2. docs/backend.md explains the steps.
 //
 // The vertex stage and the clipping follow the raster rules. All else is left to the device, which snaps and
 // interpolates in its own way.
+import {blends, channelBits, faceTriangles, isMirrored, vertexBytes} from "../device/geometry.js";
 
 const vertexShader = `#version 300 es
 precision highp float;
@@ -75,72 +76,34 @@ function makeProgram(gl) {
 
 // Row 0 of the map is row 0 of the texture, at v = 0.
 function makeIndexMap(gl, ids, width, height) {
-  gl.bindTexture(gl.TEXTURE_2D, gl.createTexture());
+  const texture = gl.createTexture();
+  gl.bindTexture(gl.TEXTURE_2D, texture);
   gl.texImage2D(gl.TEXTURE_2D, 0, gl.R32UI, width, height, 0, gl.RED_INTEGER, gl.UNSIGNED_INT, ids);
   for (const filter of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER]) gl.texParameteri(gl.TEXTURE_2D, filter, gl.NEAREST);
-  return gl.getParameter(gl.TEXTURE_BINDING_2D);
+  return texture;
 }
 
+// Item IDs and depths of the size `resolution`.
 function makeTarget(gl, resolution) {
-  gl.bindFramebuffer(gl.FRAMEBUFFER, gl.createFramebuffer());
-  for (const [attachment, format] of [[gl.COLOR_ATTACHMENT0, gl.R32UI], [gl.DEPTH_ATTACHMENT, gl.DEPTH_COMPONENT32F]]) {
-    gl.bindRenderbuffer(gl.RENDERBUFFER, gl.createRenderbuffer());
+  const framebuffer = gl.createFramebuffer();
+  gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
+  const images = [[gl.COLOR_ATTACHMENT0, gl.R32UI], [gl.DEPTH_ATTACHMENT, gl.DEPTH_COMPONENT32F]];
+  const renderbuffers = images.map(([attachment, format]) => {
+    const renderbuffer = gl.createRenderbuffer();
+    gl.bindRenderbuffer(gl.RENDERBUFFER, renderbuffer);
     gl.renderbufferStorage(gl.RENDERBUFFER, format, resolution, resolution);
-    gl.framebufferRenderbuffer(gl.FRAMEBUFFER, attachment, gl.RENDERBUFFER, gl.getParameter(gl.RENDERBUFFER_BINDING));
-  }
+    gl.framebufferRenderbuffer(gl.FRAMEBUFFER, attachment, gl.RENDERBUFFER, renderbuffer);
+    return renderbuffer;
+  });
   if (gl.checkFramebufferStatus(gl.FRAMEBUFFER) !== gl.FRAMEBUFFER_COMPLETE) throw new Error("no integer target");
+  return {framebuffer, renderbuffers};
 }
 
-const round = Math.fround;
-
-// The vertex in the view of the face, in binary32: [x, y, w, u, v].
-function viewVertex(index, face, eye, arrays) {
-  const d = [0, 1, 2].map(k => round(arrays.positions[3 * index + k] - round(eye[k])));
-  const dot = ([a, b, c]) => round(round(round(round(a) * d[0]) + round(round(b) * d[1])) + round(round(c) * d[2]));
-  const texcoord = arrays.texcoords.subarray(2 * index, 2 * index + 2);
-  return [dot(face.x), dot(face.y), dot(face.w), ...texcoord];
-}
-
-// The part of a polygon where `distance` is not negative. JavaScript computes in binary64.
-function clip(polygon, distance) {
-  return polygon.flatMap((from, k) => {
-    const to = polygon[(k + 1) % polygon.length], a = distance(from), b = distance(to), kept = a >= 0 ? [from] : [];
-    if (a >= 0 === b >= 0) return kept;
-    const [inside, outside, f, g] = a >= 0 ? [from, to, a, b] : [to, from, b, a];
-    return [...kept, inside.map((value, i) => value + f / (f - g) * (outside[i] - value))];
-  });
-}
-
-// The triangles of a clipped triangle: in front of the near plane and inside the guard band.
-function clippedTriangles(triangle, nearDistance) {
-  const inFront = clip(triangle, vertex => vertex[2] - nearDistance);
-  const sides = [v => 8 * v[2] - v[0], v => 8 * v[2] + v[0], v => 8 * v[2] - v[1], v => 8 * v[2] + v[1]];
-  const polygon = sides.reduce(clip, inFront);
-  return polygon.slice(2).flatMap((corner, k) => [polygon[0], polygon[k + 1], corner]);
-}
-
-// Fills the buffers with the triangles of a face. Returns first vertex and number of vertices of each draw.
-function fillBuffers(gl, vector, face, arrays) {
-  const vertices = [];
-  const runs = vector.draws.map(draw => {
-    const first = vertices.length;
-    for (let i = draw.first; i < draw.first + draw.count; i += 3) {
-      const corners = [0, 1, 2].map(k => viewVertex(arrays.indices[i + k], face, face.eye ?? vector.eye, arrays));
-      vertices.push(...clippedTriangles(corners, round(vector.near)));
-    }
-    return {first, count: vertices.length - first};
-  });
-  gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer());
-  gl.bufferData(gl.ARRAY_BUFFER, new Float32Array(vertices.flat()), gl.STATIC_DRAW);
-  gl.vertexAttribPointer(0, 3, gl.FLOAT, false, 20, 0);
-  gl.vertexAttribPointer(1, 2, gl.FLOAT, false, 20, 12);
-  gl.enableVertexAttribArray(0);
-  gl.enableVertexAttribArray(1);
+// Copies the triangles of a face to the bound buffer. Returns first vertex and number of vertices of each draw.
+function uploadTriangles(gl, vector, face, arrays) {
+  const {vertices, runs} = faceTriangles(vector, face, arrays);
+  gl.bufferData(gl.ARRAY_BUFFER, vertices, gl.STREAM_DRAW);
   return runs;
-}
-
-function determinant({x, y, w}) {
-  return x[0] * (y[1] * w[2] - y[2] * w[1]) - x[1] * (y[0] * w[2] - y[2] * w[0]) + x[2] * (y[0] * w[1] - y[1] * w[0]);
 }
 
 // Draws with the uniforms of `program`; `maps` has a texture per draw, or none.
@@ -151,15 +114,15 @@ function drawFace(gl, program, vector, face, arrays, maps) {
   gl.scissor(column, row, width, height);
   gl.clearBufferuiv(gl.COLOR, 0, [vector.background, 0, 0, 0]);
   gl.clearBufferfv(gl.DEPTH, 0, [0]);
-  gl.frontFace(determinant(face) > 0 ? gl.CW : gl.CCW);
+  gl.frontFace(isMirrored(face) ? gl.CCW : gl.CW);
   gl.uniform1f(at("nearDistance"), vector.near);
-  const runs = fillBuffers(gl, vector, face, arrays);
+  const runs = uploadTriangles(gl, vector, face, arrays);
   vector.draws.forEach((draw, k) => {
     gl.uniform1ui(at("offset"), draw.offset);
     gl.uniform1ui(at("back"), draw.back ?? 0);
     gl.uniform1i(at("hasBack"), draw.back == null ? 0 : 1);
     gl.uniform1i(at("hasMap"), maps[k] ? 1 : 0);
-    gl.bindTexture(gl.TEXTURE_2D, maps[k] ?? null);
+    gl.bindTexture(gl.TEXTURE_2D, maps[k]);
     gl.drawArrays(gl.TRIANGLES, runs[k].first, runs[k].count);
   });
   // Reading one channel is optional in WebGL2, reading four is not.
@@ -168,23 +131,45 @@ function drawFace(gl, program, vector, face, arrays, maps) {
   return pixels.filter((_, k) => k % 4 === 0);
 }
 
-// `vector` is the object of vector.json; `arrays` holds its files as typed arrays: positions, texcoords, indices, and
-// `maps`, by file name. Returns the item IDs of each face, row 0 first.
-export function drawVector(vector, arrays) {
+function drawVector(gl, program, vector, arrays) {
+  const {framebuffer, renderbuffers} = makeTarget(gl, vector.resolution);
+  gl.uniform4iv(gl.getUniformLocation(program, "channels"), channelBits(vector));
+  gl.uniform1i(gl.getUniformLocation(program, "blend"), blends.indexOf(vector.blend));
+  const maps = vector.draws.map(
+      draw => draw.index_map ? makeIndexMap(gl, arrays.maps[draw.index_map], draw.width, draw.height) : null);
+  const faces = vector.faces.map(face => drawFace(gl, program, vector, face, arrays, maps));
+  maps.forEach(map => gl.deleteTexture(map));
+  renderbuffers.forEach(renderbuffer => gl.deleteRenderbuffer(renderbuffer));
+  gl.deleteFramebuffer(framebuffer);
+  if (gl.getError() !== gl.NO_ERROR) throw new Error("WebGL2 reports an error");
+  return faces;
+}
+
+// Chromium tells the device only with the extension, of which Firefox warns.
+function deviceName(gl) {
+  const name = gl.getParameter(gl.RENDERER);
+  const extension = name === "WebKit WebGL" ? gl.getExtension("WEBGL_debug_renderer_info") : null;
+  return extension ? gl.getParameter(extension.UNMASKED_RENDERER_WEBGL) : name;
+}
+
+// A device with the name of the GPU. `drawVector` takes the object of vector.json and its files as typed arrays:
+// positions, texcoords, indices, and `maps`, by file name. It returns the item IDs of each face, row 0 first.
+export function openDevice() {
   const gl = document.createElement("canvas").getContext("webgl2", {antialias: false});
   if (!gl) throw new Error("WebGL2 is missing");
   const program = makeProgram(gl);
   gl.useProgram(program);
-  makeTarget(gl, vector.resolution);
   gl.enable(gl.SCISSOR_TEST);
   gl.enable(gl.DEPTH_TEST);
   gl.depthFunc(gl.GREATER);
-  gl.uniform4iv(gl.getUniformLocation(program, "channels"), [0, 1, 2, 3].map(k => vector.channels[k] ?? 0));
-  gl.uniform1i(gl.getUniformLocation(program, "blend"), ["clamped-add", "integer-add", "replace"].indexOf(vector.blend));
-  const maps = vector.draws.map(
-      draw => draw.index_map ? makeIndexMap(gl, arrays.maps[draw.index_map], draw.width, draw.height) : null);
-  const faces = vector.faces.map(face => drawFace(gl, program, vector, face, arrays, maps));
-  if (gl.getError() !== gl.NO_ERROR) throw new Error("WebGL2 reports an error");
-  gl.getExtension("WEBGL_lose_context").loseContext();  // a page may hold few contexts
-  return faces;
+  gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer());
+  gl.vertexAttribPointer(0, 3, gl.FLOAT, false, vertexBytes, 0);
+  gl.vertexAttribPointer(1, 2, gl.FLOAT, false, vertexBytes, 12);
+  gl.enableVertexAttribArray(0);
+  gl.enableVertexAttribArray(1);
+  return {
+    name: deviceName(gl),
+    drawVector: (vector, arrays) => drawVector(gl, program, vector, arrays),
+    close: () => gl.getExtension("WEBGL_lose_context")?.loseContext(),  // a page may hold few contexts
+  };
 }

@@ -1,17 +1,18 @@
-// node draw_suite.mjs SUITE ANSWERS [BROWSER]: draws a suite of test vectors in headless Chromium and writes the item
-// IDs, one folder per vector. It serves the page, its script and the vectors on a port of this machine.
+// node draw_suite.mjs SUITE ANSWERS [BROWSER [API]]: draws a suite of test vectors in headless Chromium and writes the
+// item IDs, one folder per vector. API is webgl2 or webgpu. It serves the page, its scripts and the vectors on a port of
+// this machine.
 import {spawn} from "node:child_process";
 import {mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync} from "node:fs";
 import {createServer} from "node:http";
 import {tmpdir} from "node:os";
-import {basename, dirname, join} from "node:path";
+import {basename, dirname, join, normalize} from "node:path";
 
-const [suite, answers, browser = "chromium"] = process.argv.slice(2);
+const [suite, answers, browser = "chromium", api = "webgl2"] = process.argv.slice(2);
 if (!answers) {
-  console.error("usage: node draw_suite.mjs SUITE ANSWERS [BROWSER]");
+  console.error("usage: node draw_suite.mjs SUITE ANSWERS [BROWSER [webgl2|webgpu]]");
   process.exit(2);
 }
-const page = import.meta.dirname ?? dirname(new URL(import.meta.url).pathname);
+const web = dirname(import.meta.dirname ?? dirname(new URL(import.meta.url).pathname));
 const types = {html: "text/html", js: "text/javascript"};
 const failures = [];
 
@@ -25,7 +26,7 @@ function answer(path) {
   const [folder, vector, file] = path.split("/");
   if (path === "suite") return JSON.stringify(readdirSync(suite).sort());
   if (folder === "suite") return readFileSync(join(suite, basename(vector), basename(file)));
-  return readFileSync(join(page, basename(path)));
+  return readFileSync(join(web, normalize("/" + path)));
 }
 
 function take(path, body) {
@@ -38,7 +39,7 @@ function take(path, body) {
 }
 
 const server = createServer(async (request, response) => {
-  const path = decodeURIComponent(request.url.slice(1));
+  const path = decodeURIComponent(new URL(request.url, "http://localhost").pathname.slice(1));
   try {
     if (request.method === "PUT") {
       take(path, await bodyOf(request));
@@ -69,9 +70,9 @@ function end() {
 }
 
 server.listen(0, "127.0.0.1", () => {
-  const address = `http://127.0.0.1:${server.address().port}/page.html`;
+  const address = `http://127.0.0.1:${server.address().port}/webgl2/page.html?api=${api}`;
   chromium = spawn(browser, ["--headless", "--no-sandbox", "--no-first-run", "--use-angle=swiftshader",
-    "--enable-unsafe-swiftshader", `--user-data-dir=${profile}`, "--remote-debugging-port=0", address],
+    "--enable-unsafe-swiftshader", "--enable-unsafe-webgpu", "--use-webgpu-adapter=swiftshader", `--user-data-dir=${profile}`, "--remote-debugging-port=0", address],
     {stdio: "ignore"});
   chromium.on("exit", () => {
     console.error("the browser ended before the suite was drawn");
