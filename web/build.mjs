@@ -1,0 +1,48 @@
+// node build.mjs: writes build/web/hemitex.html, the page in one file that needs no network. It holds the script of the
+// page, the WebAssembly core and the Cornell box. The core is built by ./run web before.
+import {build} from "esbuild";
+import {mkdirSync, readFileSync, writeFileSync} from "node:fs";
+import {join} from "node:path";
+import {gzipSync} from "node:zlib";
+
+const maxCompressed = 3e6; // bytes
+
+const web = import.meta.dirname;
+const top = join(web, "..");
+const output = join(top, "build/web/hemitex.html");
+const sceneNames = ["cornell-box.obj", "cornell-box.mtl", "cornell-box.view.json"];
+
+const read = (path) => readFileSync(join(top, path), "utf8");
+
+/** A script that can stand in an HTML file: the end of the element and comments would change how it is read. */
+function embedded(script) {
+  return script.replaceAll(/<(\/script|!--)/gi, "\\x3c$1");
+}
+
+const bundle = await build({
+  entryPoints: [join(web, "page/main.ts")],
+  bundle: true,
+  minify: true,
+  format: "iife",
+  target: "es2022",
+  legalComments: "none",
+  write: false,
+  define: {sceneFiles: JSON.stringify(Object.fromEntries(sceneNames.map((name) => [name, read(`data/${name}`)])))},
+});
+const parts = {
+  "/*STYLE*/": read("web/page/style.css"),
+  "/*CORE*/": embedded(read("build/web/core/hemitex_core.js")),
+  "/*PAGE*/": embedded(bundle.outputFiles[0].text),
+};
+// By a function: replace() expands $& and the like in a string.
+const page = Object.entries(parts).reduce((html, [mark, part]) => html.replace(mark, () => part), read("web/page/index.html"));
+mkdirSync(join(top, "build/web"), {recursive: true});
+writeFileSync(output, page);
+
+const size = Buffer.byteLength(page);
+const compressed = gzipSync(page, {level: 9}).length;
+console.log(`${output}: ${(size / 1e6).toFixed(2)} MB, ${(compressed / 1e6).toFixed(2)} MB compressed`);
+if (compressed > maxCompressed) {
+  console.error(`error: more than ${maxCompressed / 1e6} MB compressed`);
+  process.exit(1);
+}

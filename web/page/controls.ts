@@ -1,0 +1,173 @@
+// Controls of the lessons: labelled native elements, for mouse, touch and keyboard.
+
+let nextId = 0;
+
+/** A new element in `parent` with these properties. */
+export function element<Name extends keyof HTMLElementTagNameMap>(
+  parent: HTMLElement,
+  name: Name,
+  properties: Partial<HTMLElementTagNameMap[Name]> = {},
+): HTMLElementTagNameMap[Name] {
+  const made = Object.assign(document.createElement(name), properties);
+  parent.append(made);
+  return made;
+}
+
+/** A paragraph of trusted HTML; MathML is allowed. */
+export function text(parent: HTMLElement, html: string): HTMLElement {
+  return element(parent, "p", {innerHTML: html});
+}
+
+/** Controls side by side. They wrap. */
+export function row(parent: HTMLElement): HTMLElement {
+  return element(parent, "div", {className: "row"});
+}
+
+/** The picture's column and the text's column; below each other on narrow screens. */
+export function columns(parent: HTMLElement): [HTMLElement, HTMLElement] {
+  const both = element(parent, "div", {className: "columns"});
+  return [element(both, "div", {className: "column"}), element(both, "div", {className: "column"})];
+}
+
+function labelled(parent: HTMLElement, label: string): {box: HTMLElement; head: HTMLElement; id: string} {
+  const id = `control-${nextId++}`;
+  const box = element(parent, "div", {className: "control"});
+  const head = element(box, "div", {className: "control-head"});
+  element(head, "label", {htmlFor: id, textContent: label});
+  return {box, head, id};
+}
+
+export interface SliderOptions {
+  label: string;
+  min: number;
+  max: number;
+  step: number;
+  value: number;
+  show?: (value: number) => string;
+}
+
+export function slider(
+  parent: HTMLElement,
+  {label, min, max, step, value, show = String}: SliderOptions,
+  change: (value: number) => void,
+): {set(value: number): void} {
+  const {box, head, id} = labelled(parent, label);
+  const shown = element(head, "output");
+  const input = element(box, "input", {id, type: "range"});
+  // The value comes last: the element clamps it to the limits that it has.
+  Object.assign(input, {min: String(min), max: String(max), step: String(step), value: String(value)});
+  const update = () => {
+    shown.value = show(input.valueAsNumber);
+    input.setAttribute("aria-valuetext", shown.value);
+  };
+  input.addEventListener("input", () => {
+    update();
+    change(input.valueAsNumber);
+  });
+  update();
+  return {
+    set(to) {
+      input.value = String(to);
+      update();
+    },
+  };
+}
+
+export function choice(
+  parent: HTMLElement,
+  {label, options, value}: {label: string; options: [value: string, label: string][]; value: string},
+  change: (value: string) => void,
+): {set(value: string): void} {
+  const {box, id} = labelled(parent, label);
+  const select = element(box, "select", {id});
+  for (const [optionValue, optionLabel] of options)
+    element(select, "option", {value: optionValue, textContent: optionLabel});
+  select.value = value;
+  select.addEventListener("change", () => change(select.value));
+  return {
+    set(to) {
+      select.value = to;
+    },
+  };
+}
+
+export function checkbox(
+  parent: HTMLElement,
+  {label, value}: {label: string; value: boolean},
+  change: (value: boolean) => void,
+): {set(value: boolean): void} {
+  const line = element(parent, "label", {className: "line"});
+  const input = element(line, "input", {type: "checkbox", checked: value});
+  line.append(` ${label}`);
+  input.addEventListener("change", () => change(input.checked));
+  return {
+    set(to) {
+      input.checked = to;
+    },
+  };
+}
+
+export function button(parent: HTMLElement, label: string, click: () => void): HTMLButtonElement {
+  const made = element(parent, "button", {type: "button", textContent: label});
+  made.addEventListener("click", click);
+  return made;
+}
+
+/** A live region. Tests find it by its data-testid. */
+export function status(parent: HTMLElement, name: string): {set(text: string): void} {
+  const region = element(parent, "p", {className: "status", role: "status"});
+  region.dataset.testid = name;
+  return {
+    set(to) {
+      if (region.textContent !== to) region.textContent = to;
+    },
+  };
+}
+
+export type Question =
+  | {text: string; options: string[]; right: number; why: string}
+  | {text: string; answer: () => number; tolerance: number; why: string};
+
+/** A question that the page checks. `text` and `why` are trusted HTML. */
+export function question(parent: HTMLElement, asked: Question): void {
+  const form = element(parent, "form", {className: "question"});
+  const group = element(form, "fieldset");
+  element(group, "legend", {innerHTML: asked.text});
+  const isRight = "options" in asked ? choices(group, asked.options, asked.right) : numberField(group, asked);
+  const line = row(group);
+  element(line, "button", {type: "submit", textContent: "Check"});
+  const verdict = element(line, "p", {className: "verdict", role: "status"});
+  verdict.dataset.testid = "verdict";
+  form.addEventListener("submit", (event) => {
+    event.preventDefault();
+    const right = isRight();
+    form.dataset.right = String(right);
+    verdict.innerHTML = right ? `Right. ${asked.why}` : "Not yet. Try again.";
+  });
+}
+
+function choices(parent: HTMLElement, options: string[], right: number): () => boolean {
+  const name = `question-${nextId++}`;
+  const inputs = options.map((option, index) => {
+    const line = element(parent, "label", {className: "line"});
+    const input = element(line, "input", {type: "radio", name, value: String(index), required: true});
+    element(line, "span", {innerHTML: ` ${option}`});
+    return input;
+  });
+  return () => inputs[right].checked;
+}
+
+function numberField(
+  parent: HTMLElement,
+  {answer, tolerance}: {answer: () => number; tolerance: number},
+): () => boolean {
+  const line = element(parent, "label", {className: "line", textContent: "Answer: "});
+  const input = element(line, "input", {type: "number", step: "any", required: true});
+  return () => Math.abs(input.valueAsNumber - answer()) <= tolerance;
+}
+
+/** A link to a file of the repository, in which the page lies in build/web. */
+export function sourceLink(parent: HTMLElement, path: string, what: string): void {
+  const line = element(parent, "p", {className: "source", textContent: `${what}: `});
+  element(line, "a", {href: `../../${path}`, textContent: path});
+}

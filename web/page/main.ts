@@ -1,0 +1,125 @@
+// The page: navigation over the lessons, and the settings of the lesson in the address.
+import {button, element} from "./controls";
+import {startCore, type Core, type Scene} from "./core";
+import type {Lesson, State} from "./lesson";
+import {lesson as accuracy} from "./lessons/accuracy";
+import {lesson as breakIt} from "./lessons/break_it";
+import {lesson as hemicube} from "./lessons/hemicube";
+import {lesson as pixel} from "./lessons/pixel";
+import {lesson as shooting} from "./lessons/shooting";
+import {lesson as textureAndMesh} from "./lessons/texture_and_mesh";
+import {lesson as writeIt} from "./lessons/write_it";
+import {lesson as start} from "./start";
+import {lesson as gpu} from "./trial/gpu";
+
+// build.mjs puts the files of data/ here.
+declare const sceneFiles: Record<string, string>;
+
+const lessons = [start, pixel, hemicube, shooting, textureAndMesh, accuracy, breakIt, writeIt, gpu];
+const root = document.querySelector<HTMLElement>("main")!;
+const nav = document.querySelector<HTMLElement>("nav")!;
+const alertBox = document.querySelector<HTMLElement>("#alert")!;
+
+function showError(error: unknown): void {
+  alertBox.replaceChildren();
+  element(alertBox, "p", {textContent: error instanceof Error ? error.message : String(error)});
+  button(alertBox, "Close", () => alertBox.replaceChildren());
+}
+
+/** The address behind #: the id of the lesson, then key=value, each behind "&". */
+class AddressState implements State {
+  private readonly values: Map<string, string>;
+  private timer = 0;
+
+  constructor(private readonly id: string, settings: string[]) {
+    const pair = (setting: string) => setting.split("=").map(decodeURIComponent);
+    this.values = new Map(settings.map((setting) => [pair(setting)[0], pair(setting)[1] ?? ""]));
+  }
+
+  number(key: string, otherwise: number): number {
+    const value = Number.parseFloat(this.values.get(key) ?? "");
+    return Number.isFinite(value) ? value : otherwise;
+  }
+
+  text(key: string, otherwise: string): string {
+    return this.values.get(key) ?? otherwise;
+  }
+
+  set(key: string, value: string | number): void {
+    this.values.set(key, String(value));
+    // Browsers limit how often a page changes its address, and a drag changes settings with each event.
+    this.timer ||= window.setTimeout(() => this.write(), 200);
+  }
+
+  end(): void {
+    clearTimeout(this.timer);
+  }
+
+  private write(): void {
+    this.timer = 0;
+    const settings = [...this.values].map((pair) => pair.map(encodeURIComponent).join("="));
+    history.replaceState(null, "", `#${[this.id, ...settings].join("&")}`);
+  }
+}
+
+function makeNavigation(): void {
+  for (const {id, title} of lessons) element(nav, "a", {href: `#${id}`, textContent: title});
+}
+
+function markNavigation(current: Lesson): void {
+  for (const link of nav.querySelectorAll("a"))
+    if (link.hash === `#${current.id}`) link.setAttribute("aria-current", "page");
+    else link.removeAttribute("aria-current");
+}
+
+function addNeighbours(current: Lesson): void {
+  const place = lessons.indexOf(current);
+  const line = element(root, "div", {className: "neighbours"});
+  const link = (to: Lesson | undefined, rel: string, before: string, after: string) => {
+    if (to) element(line, "a", {href: `#${to.id}`, rel, textContent: `${before}${to.title}${after}`});
+  };
+  link(lessons[place - 1], "prev", "← ", "");
+  link(lessons[place + 1], "next", "", " →");
+}
+
+let endShown = () => {};
+
+function show(core: Core, scene: () => Scene): void {
+  endShown();
+  endShown = () => {};
+  alertBox.replaceChildren();
+  const [id, ...settings] = location.hash.slice(1).split("&");
+  const lesson = lessons.find((one) => one.id === id) ?? start;
+  const state = new AddressState(lesson.id, settings);
+  document.title = `${lesson.title} - hemitex`;
+  markNavigation(lesson);
+  root.replaceChildren();
+  element(root, "h2", {textContent: lesson.title});
+  let endLesson: (() => void) | void;
+  endShown = () => {
+    state.end();
+    endLesson?.();
+  };
+  try {
+    endLesson = lesson.show(element(root, "div", {className: `lesson ${lesson.id}`}), {core, scene, state});
+  } catch (error) {
+    showError(error);
+  }
+  addNeighbours(lesson);
+  window.scrollTo(0, 0);
+  root.dataset.shown = lesson.id; // tests wait for it
+}
+
+async function main(): Promise<void> {
+  makeNavigation();
+  window.addEventListener("error", (event) => showError(event.error ?? event.message));
+  window.addEventListener("unhandledrejection", (event) => showError(event.reason));
+  const core = await startCore();
+  let scene: Scene | undefined;
+  const cornellBox = () => (scene ??= core.loadScene(sceneFiles, "cornell-box.obj"));
+  window.addEventListener("hashchange", () => show(core, cornellBox));
+  show(core, cornellBox);
+  requestAnimationFrame(() => requestAnimationFrame(() => performance.mark("first picture")));
+}
+
+void main();

@@ -1,0 +1,78 @@
+// Plots of series of points.
+import {
+  Chart,
+  Legend,
+  LinearScale,
+  LineElement,
+  LogarithmicScale,
+  PointElement,
+  ScatterController,
+  Tooltip,
+} from "chart.js";
+import {element} from "./controls";
+
+Chart.register(Legend, LinearScale, LineElement, LogarithmicScale, PointElement, ScatterController, Tooltip);
+
+export interface PlotOptions {
+  label: string;
+  x: string;
+  y: string;
+  logarithmicX?: boolean;
+  logarithmicY?: boolean;
+  points?: boolean; // without lines
+}
+
+export interface Series {
+  name: string;
+  points: [x: number, y: number][];
+}
+
+// Okabe and Ito 2008, Color Universal Design; those with contrast on light and on dark.
+const seriesColours = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#7f7f7f", "#e69f00"];
+
+export class Plot {
+  private readonly chart: Chart<"scatter">;
+  private readonly points: boolean;
+
+  constructor(parent: HTMLElement, {label, x, y, logarithmicX, logarithmicY, points = false}: PlotOptions) {
+    this.points = points;
+    const box = element(parent, "div", {className: "plot"});
+    const canvas = element(box, "canvas", {role: "img", ariaLabel: label});
+    const style = getComputedStyle(parent);
+    const axis = (title: string, logarithmic = false) => ({
+      type: logarithmic ? ("logarithmic" as const) : ("linear" as const),
+      title: {display: true, text: title, color: style.color},
+      ticks: {color: style.color, maxTicksLimit: 8},
+      grid: {color: "rgb(128 128 128 / 0.25)"},
+    });
+    this.chart = new Chart(canvas, {
+      type: "scatter",
+      data: {datasets: []},
+      options: {
+        animation: false,
+        maintainAspectRatio: false,
+        font: {family: style.fontFamily},
+        scales: {x: axis(x, logarithmicX), y: axis(y, logarithmicY)},
+        plugins: {legend: {labels: {color: style.color, boxWidth: 12}}},
+      },
+    });
+  }
+
+  set(series: Series[]): void {
+    this.chart.data.datasets = series.map(({name, points}, index) => ({
+      label: name,
+      data: points.map(([x, y]) => ({x, y})),
+      showLine: !this.points,
+      borderColor: seriesColours[index % seriesColours.length],
+      backgroundColor: seriesColours[index % seriesColours.length],
+      borderWidth: 2,
+      pointRadius: points.length > 50 && !this.points ? 0 : 3,
+    }));
+    this.chart.options.plugins!.legend!.display = series.length > 1;
+    this.chart.update();
+  }
+
+  dispose(): void {
+    this.chart.destroy();
+  }
+}
