@@ -1,0 +1,159 @@
+// node page_test.mjs [LESSON]: opens build/web/hemitex.html from disk in headless Chromium, goes to each lesson (or to
+// one) by its link and checks it at two sizes of the window: canvases are not blank, the page is not wider than the
+// window, no message on the console, no request, no serious finding of axe-core. Screenshots go to
+// build/web/screenshots. Prints the size of the page and the time to the first picture.
+//
+// Checks of one lesson are in lessons/ID.mjs: a module with
+//     export default async function check(page, tools) { ... }   // throws where something is wrong
+// page: a Playwright page, 1280 x 800, that shows the lesson with the settings that it has without an address.
+// tools: equal(found, expected, what)    throws unless JSON.stringify of both is the same
+//        close(found, expected, tolerance, what)
+//        ok(condition, what)
+//        value(name)                     the text of status(..., name)
+//        until(condition, what)          waits until the async function `condition` returns true; at most 20 s
+//        open(settings)                  loads the lesson anew with settings as in its address, for example "x=3&y=4"
+//        address()                       the settings in the address, for example "x=3&y=4"
+//        run(...arguments)               what the command line, build/release/cli/hemitex, prints
+import assert from "node:assert/strict";
+import {execFileSync} from "node:child_process";
+import {existsSync, mkdirSync, readFileSync} from "node:fs";
+import {createRequire} from "node:module";
+import {join} from "node:path";
+import {pathToFileURL} from "node:url";
+import {gzipSync} from "node:zlib";
+
+const tests = import.meta.dirname;
+const top = join(tests, "../..");
+const requireFromWeb = createRequire(join(top, "web/package.json"));
+const {chromium} = requireFromWeb("playwright-core");
+const file = join(top, "build/web/hemitex.html");
+const url = pathToFileURL(file).href;
+const screenshots = join(top, "build/web/screenshots");
+const windows = [{width: 1280, height: 800}, {width: 390, height: 844}];
+const only = process.argv[2];
+
+async function until(condition, what) {
+  const end = Date.now() + 20000;
+  while (!(await condition())) {
+    assert.ok(Date.now() < end, `waited in vain: ${what}`);
+    await new Promise((done) => setTimeout(done, 50));
+  }
+}
+
+function toolsOf(page, id) {
+  return {
+    equal: (found, expected, what) => assert.equal(JSON.stringify(found), JSON.stringify(expected), what),
+    close: (found, expected, tolerance, what) =>
+      assert.ok(Math.abs(found - expected) <= tolerance, `${what}: ${found}, expected ${expected}`),
+    ok: (condition, what) => assert.ok(condition, what),
+    value: (name) => page.getByTestId(name).innerText(),
+    until,
+    open: async (settings) => {
+      await page.goto("about:blank");
+      await page.goto(`${url}#${id}&${settings}`);
+      await shown(page, id);
+    },
+    address: () => new URL(page.url()).hash.split("&").slice(1).join("&"),
+    run: (...args) => execFileSync(join(top, "build/release/cli/hemitex"), args, {encoding: "utf8"}),
+  };
+}
+
+const shown = (page, id) => page.locator(`main[data-shown="${id}"]`).waitFor({timeout: 20000});
+
+/** A page whose console messages, errors and requests are kept. */
+async function openPage(browser, viewport) {
+  const page = await browser.newPage({viewport});
+  page.noise = [];
+  page.on("console", (message) => page.noise.push(`console: ${message.text()}`));
+  page.on("pageerror", (error) => page.noise.push(`error: ${error.message}`));
+  page.on("request", (request) => {
+    if (![url, "about:blank"].includes(request.url().split("#")[0]) && !/^(data|blob):/.test(request.url()))
+      page.noise.push(`request: ${request.url()}`);
+  });
+  await page.goto(url);
+  await shown(page, "start");
+  return page;
+}
+
+/** The number of colours in a screenshot, at most 2; decoded by the browser. */
+function colours(page, png) {
+  return page.evaluate(async (base64) => {
+    const image = new Image();
+    image.src = `data:image/png;base64,${base64}`;
+    await image.decode();
+    const {width, height} = image;
+    const context = new OffscreenCanvas(width, height).getContext("2d");
+    context.drawImage(image, 0, 0);
+    const pixels = new Uint32Array(context.getImageData(0, 0, width, height).data.buffer);
+    return pixels.some((pixel) => pixel !== pixels[0]) ? 2 : 1;
+  }, png.toString("base64"));
+}
+
+async function checkCanvases(page) {
+  for (const canvas of await page.locator("canvas:visible").all()) {
+    const label = await canvas.getAttribute("aria-label");
+    await until(async () => (await colours(page, await canvas.screenshot())) > 1, `canvas "${label}" is blank`);
+  }
+}
+
+async function checkWidth(page) {
+  const [content, available] = await page.evaluate(() => {
+    const {scrollWidth, clientWidth} = document.documentElement;
+    return [scrollWidth, clientWidth];
+  });
+  assert.ok(content <= available, `${content} pixels wide in a window of ${available}`);
+}
+
+async function checkAccessibility(page) {
+  await page.evaluate(readFileSync(requireFromWeb.resolve("axe-core/axe.min.js"), "utf8"));
+  const {violations} = await page.evaluate(() => globalThis.axe.run());
+  const serious = violations.filter(({impact}) => ["serious", "critical"].includes(impact));
+  const texts = serious.flatMap(({id, nodes}) => nodes.map(({html}) => `${id}: ${html.slice(0, 200)}`));
+  assert.equal(texts.join("\n"), "");
+}
+
+async function checkLesson(page, id) {
+  const {width, height} = page.viewportSize();
+  await page.locator(`nav a[href="#${id}"]`).click();
+  await shown(page, id);
+  await checkCanvases(page);
+  await page.evaluate(() => scrollTo(0, 0));
+  await page.screenshot({path: join(screenshots, `${id}-${width}.png`), fullPage: true});
+  const alert = await page.locator("#alert").innerText();
+  assert.equal(alert, "");
+  await checkWidth(page);
+  await checkAccessibility(page);
+  const own = join(tests, "lessons", `${id}.mjs`);
+  if (width === windows[0].width && existsSync(own)) await (await import(own)).default(page, toolsOf(page, id));
+  assert.equal(page.noise.join("\n"), "");
+  const content = await page.evaluate(() => document.documentElement.scrollHeight);
+  console.log(`ok ${id} ${width} x ${height}: ${content} pixels high`);
+}
+
+mkdirSync(screenshots, {recursive: true});
+const page = readFileSync(file);
+console.log(`page: ${page.length} bytes, ${gzipSync(page, {level: 9}).length} compressed`);
+const browser = await chromium.launch({
+  executablePath: "/usr/bin/chromium",
+  args: ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"],
+});
+let failures = 0;
+for (const viewport of windows) {
+  const page = await openPage(browser, viewport);
+  await page.waitForFunction(() => performance.getEntriesByName("first picture").length);
+  const time = await page.evaluate(() => performance.getEntriesByName("first picture")[0].startTime);
+  console.log(`first picture after ${Math.round(time)} ms`);
+  const links = await page.locator("nav a").evaluateAll((all) => all.map((link) => link.hash.slice(1)));
+  for (const id of links.filter((link) => !only || link === only)) {
+    try {
+      await checkLesson(page, id);
+    } catch (error) {
+      ++failures;
+      console.error(`FAIL ${id} ${viewport.width}: ${error.message}`);
+    }
+    page.noise.length = 0;
+  }
+  await page.close();
+}
+await browser.close();
+process.exit(failures ? 1 : 0);
