@@ -1,0 +1,64 @@
+// The devices that the page judges: the visitor's GPU, and simulated devices with a known fault.
+import {openDevice as openWebGL2} from "../../webgl2/backend.js";
+import {openDevice as openWebGPU} from "../../webgpu/backend.js";
+import type {ItemBuffers, Vector} from "../core";
+
+export interface Device {
+  name: string;
+  driver: string;
+  draw(vector: Vector): ItemBuffers | Promise<ItemBuffers>;
+  /** Whether draw returns item buffers at once, as Vector.reduce needs them. */
+  isSynchronous: boolean;
+  close(): void;
+}
+
+/** Faults of simulated devices, by their names in Vector.faults. */
+const simulatedFaults = [
+  "sample at the pixel corner",
+  "wrong fill rule",
+  "depth test off",
+  "linear filtering",
+  "affine instead of perspective interpolation",
+  "front and back exchanged",
+  "wrap instead of clamp",
+  "dithering",
+];
+
+const simulated = "simulated: ";
+
+/** Values and labels. */
+export const deviceChoices: [value: string, label: string][] = [
+  ["webgl2", "this GPU, with WebGL2"],
+  ["webgpu", "this GPU, with WebGPU"],
+  ...simulatedFaults.map((fault): [string, string] => [simulated + fault, `a broken device: ${fault}`]),
+];
+
+/** The item buffers of a device with a fault. A vector that cannot show the fault is drawn by the rules. */
+function drawWithFault(vector: Vector, name: string): ItemBuffers {
+  const fault = vector.faults().findIndex((known) => known.name === name);
+  return fault < 0 ? vector.render() : vector.drawFault(fault, 0);
+}
+
+function simulatedDevice(fault: string): Device {
+  return {
+    name: `simulated device: ${fault}`,
+    driver: "hemitex",
+    draw: (vector) => drawWithFault(vector, fault),
+    isSynchronous: true,
+    close() {},
+  };
+}
+
+/** Opens a device of deviceChoices. Throws if the browser has none. */
+export async function openDevice(choice: string): Promise<Device> {
+  if (choice.startsWith(simulated)) return simulatedDevice(choice.slice(simulated.length));
+  const isWebGPU = choice === "webgpu";
+  const device = isWebGPU ? await openWebGPU() : openWebGL2();
+  return {
+    name: device.name,
+    driver: `${isWebGPU ? "WebGPU" : "WebGL2"}, ${navigator.userAgent}`,
+    draw: (vector) => device.drawVector(vector.json(), vector.arrays()),
+    isSynchronous: !isWebGPU,
+    close: device.close,
+  };
+}

@@ -1,0 +1,63 @@
+// The measured profile of a device, in words.
+import {element} from "../controls";
+import type {Profile} from "../core";
+
+type Row = [property: string, value: string, meaning: string];
+
+function snappingRows(profile: Profile): Row[] {
+  const bits = Number(profile.subpixel_bits);
+  const isNearest = profile.snap_rounding === "nearest";
+  return [
+    ["sub-pixel bits", String(bits), `corners of triangles lie on a grid of 1/${2 ** bits} pixel`],
+    ["snapping", String(profile.snap_rounding), isNearest ? "to the nearest grid point" : "down to the next grid point"],
+  ];
+}
+
+function fillRuleRow(profile: Profile): Row {
+  const isTopLeft = profile.edge_rule === "top-left";
+  const meaning = isTopLeft
+    ? "a sample on an edge belongs to the triangle whose top or left edge it is"
+    : "samples on edges do not follow the top-left rule";
+  return ["fill rule", String(profile.edge_rule), meaning];
+}
+
+/** 1/256 for a power of two. */
+function fraction(value: number): string {
+  if (value === 0) return "0";
+  return Number.isInteger(1 / value) ? `1/${1 / value}` : value.toPrecision(3);
+}
+
+function textureRows(profile: Profile): Row[] {
+  const roundings = Number(profile.interpolation_error);
+  return [
+    ["texel precision", fraction(Number(profile.texel_precision)), "error of a small texture coordinate, in texels"],
+    ["interpolation", roundings.toPrecision(3), "roundings of 2⁻²⁴ in a texture coordinate"],
+  ];
+}
+
+const depthFormats: Record<string, string> = {
+  float32: "depths as 32-bit floats",
+  unorm24: "depths as fine as 24-bit integers, also of floats whose errors are uniform",
+  unorm16: "depths as 16-bit integers",
+};
+
+function rowsOf(profile: Profile): Row[] {
+  const format = String(profile.depth_format);
+  return [
+    ...snappingRows(profile),
+    fillRuleRow(profile),
+    ...textureRows(profile),
+    ["depth format", format, depthFormats[format]],
+  ];
+}
+
+/** A table of the properties that the probes measured. */
+export function showProfile(parent: HTMLElement, profile: Profile): void {
+  const table = element(parent, "table", {className: "profile"});
+  for (const [property, value, meaning] of rowsOf(profile)) {
+    const row = element(table, "tr");
+    element(row, "th", {scope: "row", textContent: property});
+    element(row, "td", {textContent: value}).dataset.testid = `profile ${property}`;
+    element(row, "td", {textContent: meaning});
+  }
+}

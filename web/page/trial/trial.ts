@@ -1,0 +1,131 @@
+// Judges a device: it draws the probes, which give its profile, and the suite, whose item IDs are judged.
+import type {Core, ErrorPixel, ItemBuffers, Profile, Report, Vector} from "../core";
+import type {Device} from "./devices";
+
+export interface Answer {
+  vector: Vector;
+  found: ItemBuffers;
+  report: Report;
+}
+
+/** Number of pixels by verdict, in the order of Core.verdicts. */
+export type Counts = number[];
+
+/** The suite judged with one profile. */
+export interface Judgement {
+  profile: Profile;
+  answers: Answer[];
+  counts: Counts;
+}
+
+export interface Trial {
+  device: Device;
+  /** Answers to the probes that no device can give. With any, no profile is measured. */
+  contradictions: string[];
+  byDefault: Judgement;
+  /** With the measured profile; null without one. */
+  measured: Judgement | null;
+  milliseconds: number;
+}
+
+/** The judgement with the measured profile if there is one. */
+export const lastJudgement = (trial: Trial): Judgement => trial.measured ?? trial.byDefault;
+
+export function countsOf(core: Core, report: Report): Counts {
+  const {pixels} = report.json();
+  return core.verdicts().map((verdict) => pixels[verdict]);
+}
+
+export const pixelsOf = (counts: Counts): number => counts.reduce((sum, count) => sum + count, 0);
+
+/** Exact, explained, errors. */
+export function summaryOf(counts: Counts): {exact: number; explained: number; errors: number} {
+  const [exact, errors] = [counts[0], counts[counts.length - 1]];
+  return {exact, explained: pixelsOf(counts) - exact - errors, errors};
+}
+
+/** Runs steps, and lets the page draw and answer between them. */
+class Slices {
+  private readonly start = performance.now();
+  private sliceStart = this.start;
+  private done = 0;
+
+  constructor(
+    private readonly steps: number,
+    private readonly progress: (done: number) => void,
+    private readonly signal: AbortSignal,
+  ) {}
+
+  async map<In, Out>(inputs: In[], step: (input: In) => Out | Promise<Out>): Promise<Out[]> {
+    const outputs: Out[] = [];
+    for (const input of inputs) {
+      outputs.push(await step(input));
+      this.done++;
+      if (performance.now() - this.sliceStart > 30) await this.pause();
+    }
+    return outputs;
+  }
+
+  milliseconds(): number {
+    return performance.now() - this.start;
+  }
+
+  private async pause(): Promise<void> {
+    this.progress(this.done / this.steps);
+    await new Promise(requestAnimationFrame);
+    this.signal.throwIfAborted();
+    this.sliceStart = performance.now();
+  }
+}
+
+/** `progress` gets a number from 0 to 1. Throws when `signal` is aborted. */
+export async function runTrial(
+  core: Core,
+  device: Device,
+  progress: (done: number) => void,
+  signal: AbortSignal,
+): Promise<Trial> {
+  const probes = core.probes();
+  const probeVectors = probes.vectors();
+  const suite = core.suite();
+  const slices = new Slices(probeVectors.length + 3 * suite.length, progress, signal);
+  const draw = (vector: Vector) => device.draw(vector);
+  const {profile, faults} = probes.calibrate(await slices.map(probeVectors, draw));
+  const drawn = await slices.map(suite, async (vector) => ({vector, found: await draw(vector)}));
+  const judge = async (allowed: Profile): Promise<Judgement> => {
+    const answers = await slices.map(drawn, ({vector, found}) => ({vector, found, report: vector.judge(found, allowed)}));
+    const each = answers.map(({report}) => countsOf(core, report));
+    return {profile: allowed, answers, counts: core.verdicts().map((_, k) => pixelsOf(each.map((counts) => counts[k])))};
+  };
+  const byDefault = await judge({});
+  const measured = faults.length === 0 ? await judge(profile) : null;
+  return {device, contradictions: faults, byDefault, measured, milliseconds: slices.milliseconds()};
+}
+
+export interface SmallCase {
+  vector: Vector;
+  face: string;
+  error: ErrorPixel;
+  drawings: number; // by the device
+}
+
+const maxDrawings = 300;
+
+/**
+ * A vector with fewer triangles and pixels on which the device still fails. Without the device, Vector.minimize gives
+ * it. Where the device draws at once, Vector.reduce goes on from there.
+ */
+export async function reduceCase(device: Device, {vector, found}: Answer, profile: Profile): Promise<SmallCase> {
+  let drawings = 0;
+  const firstError = (small: Vector, drawn: ItemBuffers) => small.judge(drawn, profile).json().errors[0];
+  const minimal = vector.minimize(found, profile).vector;
+  // The device may draw other item IDs where fewer triangles are drawn.
+  let small = firstError(minimal, await device.draw(minimal)) ? minimal : vector;
+  if (device.isSynchronous)
+    small = small.reduce((smaller) => {
+      drawings++;
+      return firstError(smaller, device.draw(smaller) as ItemBuffers) !== undefined;
+    }, maxDrawings);
+  const error = firstError(small, await device.draw(small));
+  return {vector: small, face: error.face, error, drawings: drawings + 2};
+}
