@@ -34,7 +34,7 @@ export function idColour(id: number): Rgb {
 /** From dark blue to bright yellow; lightness grows evenly with `value` in [0, 1]. */
 export function valueColour(value: number): Rgb {
   const t = Math.min(1, Math.max(0, value));
-  return okLch(0.18 + 0.77 * t, 0.06 + 0.3 * t * (1 - t) + 0.08 * t, 0.78 - 0.48 * t);
+  return okLch(0.18 + 0.77 * t, 0.05 + 0.2 * t * (1 - t) + 0.08 * t, 0.78 - 0.48 * t);
 }
 
 /**

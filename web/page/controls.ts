@@ -138,6 +138,10 @@ export function question(parent: HTMLElement, asked: Question): void {
   element(line, "button", {type: "submit", textContent: "Check"});
   const verdict = element(line, "p", {className: "verdict", role: "status"});
   verdict.dataset.testid = "verdict";
+  form.addEventListener("input", () => {
+    delete form.dataset.right;
+    verdict.replaceChildren();
+  });
   form.addEventListener("submit", (event) => {
     event.preventDefault();
     const right = isRight();

@@ -30,6 +30,8 @@ export interface Series {
 // Okabe and Ito 2008, Color Universal Design; those with contrast on light and on dark.
 const seriesColours = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#7f7f7f", "#e69f00"];
 
+const shortNumber = (value: number) => String(Number(value.toPrecision(3)));
+
 export class Plot {
   private readonly chart: Chart<"scatter">;
   private readonly points: boolean;
@@ -42,7 +44,7 @@ export class Plot {
     const axis = (title: string, logarithmic = false) => ({
       type: logarithmic ? ("logarithmic" as const) : ("linear" as const),
       title: {display: true, text: title, color: style.color},
-      ticks: {color: style.color, maxTicksLimit: 8},
+      ticks: {color: style.color, maxTicksLimit: 8, callback: (value: string | number) => shortNumber(Number(value))},
       grid: {color: "rgb(128 128 128 / 0.25)"},
     });
     this.chart = new Chart(canvas, {

@@ -98,7 +98,6 @@ export class SceneView {
     this.setElements(elements);
     this.sizeObserver = new ResizeObserver(() => this.resize());
     this.sizeObserver.observe(this.box);
-    this.resize();
   }
 
   /** After an edit. Colours start as reflectance. */
@@ -125,16 +124,16 @@ export class SceneView {
 
   /** @param rgb three numbers per element in [0, 1], sRGB */
   setColours(rgb: Float32Array): void {
-    this.changeTexels((texel, element) => {
-      for (let band = 0; band < 3; ++band) texel[band] = Math.round(255 * rgb[3 * element + band]);
+    this.changeTexels((data, start, element) => {
+      for (let band = 0; band < 3; ++band) data[start + band] = Math.round(255 * rgb[3 * element + band]);
     });
   }
 
   /** Outlines these elements. */
   mark(elements: number[]): void {
     const marked = new Set(elements);
-    this.changeTexels((texel, element) => {
-      texel[3] = marked.has(element) ? 0 : 255;
+    this.changeTexels((data, start, element) => {
+      data[start + 3] = marked.has(element) ? 0 : 255;
     });
   }
 
@@ -166,11 +165,12 @@ export class SceneView {
     this.group.clear();
   }
 
-  private changeTexels(change: (texel: Uint8Array, element: number) => void): void {
+  /** Calls `change` with the four bytes of each texel, from `start`. */
+  private changeTexels(change: (data: Uint8Array, start: number, element: number) => void): void {
     for (const {texture, elementOfTexel} of this.surfaces) {
       const data = texture.image.data as Uint8Array;
       for (let i = 0; i < elementOfTexel.length; ++i)
-        if (elementOfTexel[i] !== noElement) change(data.subarray(4 * i, 4 * i + 4), elementOfTexel[i]);
+        if (elementOfTexel[i] !== noElement) change(data, 4 * i, elementOfTexel[i]);
       texture.needsUpdate = true;
     }
     this.requestDrawing();
@@ -232,20 +232,20 @@ export class SceneView {
 
   private listen(): void {
     let picking: number | null = null; // the pointer that picks
+    const setPicking = (pointer: number | null) => {
+      picking = pointer;
+      this.controls.enableRotate = picking === null;
+    };
+    // A second finger ends picking, and OrbitControls takes both.
     this.canvas.addEventListener("pointerdown", (event) => {
-      if (event.button !== 0 || !event.isPrimary || !this.pick(event)) return;
-      picking = event.pointerId;
-      this.canvas.setPointerCapture(picking);
-      this.canvas.focus();
-      event.stopImmediatePropagation();
+      const picks = event.button === 0 && event.isPrimary && this.pick(event);
+      setPicking(picks ? event.pointerId : null);
     });
     this.canvas.addEventListener("pointermove", (event) => {
       if (event.pointerId === picking) this.pick(event);
     });
     for (const end of ["pointerup", "pointercancel"] as const)
-      this.canvas.addEventListener(end, (event) => {
-        if (event.pointerId === picking) picking = null;
-      });
+      this.canvas.addEventListener(end, () => setPicking(null));
     this.canvas.addEventListener("keydown", (event) => {
       const action = this.keyAction(event.key);
       if (!action) return;

@@ -14,11 +14,10 @@ export const lesson: Lesson = {
     view.setColours(litColours(solution.radiosity()));
     text(
       right,
-      "Radiosity is the light that leaves each small part of a surface, an <em>element</em>, when all surfaces are " +
-        "matt. To find how much light each element gets from a patch, a graphics card draws the scene on the five " +
-        "faces of a <em>hemicube</em> over the patch: each pixel holds the ID of the element that it shows " +
-        "(Cohen and Greenberg 1985). In the method of Nielsen and Christensen (2002) a texture holds the IDs of the " +
-        "elements of a surface, so that the card draws the surface's few triangles and not a polygon per element.",
+      "Radiosity is the light that leaves each <em>element</em>, a small part of a matt surface. " +
+        "To find the light that elements get from a patch, a graphics card draws the scene on a <em>hemicube</em> " +
+        "over the patch (Cohen and Greenberg 1985). A texture gives each pixel the number of its element (Nielsen " +
+        "and Christensen 2002), so that the card draws whole surfaces, not a polygon per element.",
     );
     text(
       right,
@@ -31,11 +30,11 @@ export const lesson: Lesson = {
       `${count} elements, ${shots} shots in ${milliseconds.toPrecision(3)} ms; ` +
         `${(100 * residual).toPrecision(2)} % of the light is unshot.`,
     );
-    const list = element(right, "p", {className: "source"});
-    list.textContent =
-      "Nielsen and Christensen 2002, Fast Texture-Based Form Factor Calculations for Radiosity using Graphics " +
-      "Hardware, Journal of Graphics Tools 6(4). Cohen and Greenberg 1985, The Hemi-cube, SIGGRAPH '85.";
-    sourceLink(right, "README.md", "More");
+    element(right, "p", {className: "source"}).innerHTML =
+      "Nielsen and Christensen 2002, <cite>Fast Texture Based Form Factor Calculations for Radiosity using Graphics " +
+      "Hardware</cite>. Cohen and Greenberg 1985, <cite>The Hemi-Cube: A Radiosity Solution for Complex " +
+      "Environments</cite>.";
+    sourceLink(right, "README.md", "The project");
     return () => view.dispose();
   },
 };
