@@ -1,7 +1,7 @@
 // node build.mjs: writes build/web/hemitex.html, the page in one file that needs no network. It holds the script of the
 // page, the WebAssembly core and the Cornell box. The core is built by ./run web before.
 import {build} from "esbuild";
-import {mkdirSync, readFileSync, writeFileSync} from "node:fs";
+import {mkdirSync, readdirSync, readFileSync, writeFileSync} from "node:fs";
 import {join} from "node:path";
 import {gzipSync} from "node:zlib";
 
@@ -19,23 +19,29 @@ function embedded(script) {
   return script.replaceAll(/<(\/script|!--)/gi, "\\x3c$1");
 }
 
+/** style.css, then the styles beside the lessons, which may overrule it. */
+function styles() {
+  const lessons = readdirSync(join(web, "page/lessons")).filter((name) => name.endsWith(".css"));
+  return ["style.css", ...lessons.sort().map((name) => `lessons/${name}`)].map((path) => read(`web/page/${path}`)).join("");
+}
+
 const bundle = await build({
   entryPoints: [join(web, "page/main.ts")],
   bundle: true,
   minify: true,
   format: "iife",
   target: "es2022",
-  legalComments: "none",
   write: false,
   define: {sceneFiles: JSON.stringify(Object.fromEntries(sceneNames.map((name) => [name, read(`data/${name}`)])))},
 });
 const parts = {
-  "/*STYLE*/": read("web/page/style.css"),
+  "/*STYLE*/": styles(),
   "/*CORE*/": embedded(read("build/web/core/hemitex_core.js")),
   "/*PAGE*/": embedded(bundle.outputFiles[0].text),
 };
 // By a function: replace() expands $& and the like in a string.
-const page = Object.entries(parts).reduce((html, [mark, part]) => html.replace(mark, () => part), read("web/page/index.html"));
+let page = read("web/page/index.html");
+for (const [mark, part] of Object.entries(parts)) page = page.replace(mark, () => part);
 mkdirSync(join(top, "build/web"), {recursive: true});
 writeFileSync(output, page);
 
