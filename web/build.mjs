@@ -22,7 +22,8 @@ function embedded(script) {
 /** style.css, then the styles beside the lessons, which may overrule it. */
 function styles() {
   const lessons = readdirSync(join(web, "page/lessons")).filter((name) => name.endsWith(".css"));
-  return ["style.css", ...lessons.sort().map((name) => `lessons/${name}`)].map((path) => read(`web/page/${path}`)).join("");
+  const paths = ["style.css", ...lessons.sort().map((name) => `lessons/${name}`)];
+  return paths.map((path) => read(`web/page/${path}`)).join("");
 }
 
 const bundle = await build({

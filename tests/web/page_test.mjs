@@ -13,7 +13,8 @@
 //        until(condition, what)          waits until the async function `condition` returns true; at most 20 s
 //        open(settings)                  loads the lesson anew with settings as in its address, for example "x=3&y=4"
 //        address()                       the settings in the address, for example "x=3&y=4"
-//        run(...arguments)               what the command line, build/release/bin/hemitex, prints
+//        run(...arguments)               what the command line, build/release/bin/hemitex, prints; its folder is the
+//                                 repository
 import assert from "node:assert/strict";
 import {execFileSync} from "node:child_process";
 import {existsSync, mkdirSync, readFileSync} from "node:fs";
@@ -54,7 +55,7 @@ function toolsOf(page, id) {
       await shown(page, id);
     },
     address: () => new URL(page.url()).hash.split("&").slice(1).join("&"),
-    run: (...args) => execFileSync(join(top, "build/release/bin/hemitex"), args, {encoding: "utf8"}),
+    run: (...args) => execFileSync(join(top, "build/release/bin/hemitex"), args, {cwd: top, encoding: "utf8"}),
   };
 }
 
@@ -135,7 +136,8 @@ const page = readFileSync(file);
 console.log(`page: ${page.length} bytes, ${gzipSync(page, {level: 9}).length} compressed`);
 const browser = await chromium.launch({
   executablePath: "/usr/bin/chromium",
-  args: ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--enable-unsafe-webgpu"],
+  args: ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
+    "--enable-unsafe-webgpu"],
 });
 let failures = 0;
 for (const viewport of windows) {

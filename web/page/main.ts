@@ -26,27 +26,23 @@ function showError(error: unknown): void {
   button(alertBox, "Close", () => alertBox.replaceChildren());
 }
 
-/** The address behind #: the id of the lesson, then key=value, each behind "&". */
+/** The address behind #: the id of the lesson, then its settings as in a query, key=value, each behind "&". */
 class AddressState implements State {
-  private readonly values: Map<string, string>;
   private timer = 0;
 
-  constructor(private readonly id: string, settings: string[]) {
-    const pair = (setting: string) => setting.split("=").map(decodeURIComponent);
-    this.values = new Map(settings.map((setting) => [pair(setting)[0], pair(setting)[1] ?? ""]));
-  }
+  constructor(private readonly id: string, private readonly settings: URLSearchParams) {}
 
   number(key: string, otherwise: number): number {
-    const value = Number.parseFloat(this.values.get(key) ?? "");
+    const value = Number.parseFloat(this.text(key, ""));
     return Number.isFinite(value) ? value : otherwise;
   }
 
   text(key: string, otherwise: string): string {
-    return this.values.get(key) ?? otherwise;
+    return this.settings.get(key) ?? otherwise;
   }
 
   set(key: string, value: string | number): void {
-    this.values.set(key, String(value));
+    this.settings.set(key, String(value));
     // Browsers limit how often a page changes its address, and a drag changes settings with each event.
     this.timer ||= window.setTimeout(() => this.write(), 200);
   }
@@ -57,8 +53,7 @@ class AddressState implements State {
 
   private write(): void {
     this.timer = 0;
-    const settings = [...this.values].map((pair) => pair.map(encodeURIComponent).join("="));
-    history.replaceState(null, "", `#${[this.id, ...settings].join("&")}`);
+    history.replaceState(null, "", `#${this.id}&${this.settings}`);
   }
 }
 
@@ -90,7 +85,7 @@ function show(core: Core, scene: () => Scene): void {
   alertBox.replaceChildren();
   const [id, ...settings] = location.hash.slice(1).split("&");
   const lesson = lessons.find((one) => one.id === id) ?? start;
-  const state = new AddressState(lesson.id, settings);
+  const state = new AddressState(lesson.id, new URLSearchParams(settings.join("&")));
   document.title = `${lesson.title} - hemitex`;
   markNavigation(lesson);
   root.replaceChildren();
