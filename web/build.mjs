@@ -3,11 +3,12 @@
 import {build} from "esbuild";
 import {mkdirSync, readdirSync, readFileSync, writeFileSync} from "node:fs";
 import {join} from "node:path";
+import {fileURLToPath} from "node:url";
 import {gzipSync} from "node:zlib";
 
 const maxCompressed = 3e6; // bytes
 
-const web = import.meta.dirname;
+const web = fileURLToPath(new URL(".", import.meta.url));
 const top = join(web, "..");
 const output = join(top, "build/web/hemitex.html");
 const sceneNames = ["cornell-box.obj", "cornell-box.mtl", "cornell-box.view.json"];

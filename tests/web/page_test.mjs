@@ -20,10 +20,10 @@ import {execFileSync} from "node:child_process";
 import {existsSync, mkdirSync, readFileSync} from "node:fs";
 import {createRequire} from "node:module";
 import {join} from "node:path";
-import {pathToFileURL} from "node:url";
+import {fileURLToPath, pathToFileURL} from "node:url";
 import {gzipSync} from "node:zlib";
 
-const tests = import.meta.dirname;
+const tests = fileURLToPath(new URL(".", import.meta.url));
 const top = join(tests, "../..");
 const requireFromWeb = createRequire(join(top, "web/package.json"));
 const {chromium} = requireFromWeb("playwright-core");
@@ -115,6 +115,7 @@ async function checkAccessibility(page) {
 
 async function checkLesson(page, id) {
   const {width, height} = page.viewportSize();
+  await page.evaluate(() => delete document.querySelector("main").dataset.shown);
   await page.locator(`nav a[href="#${id}"]`).click();
   await shown(page, id);
   await checkCanvases(page);
