@@ -25,6 +25,7 @@ export interface PlotOptions {
 export interface Series {
   name: string;
   points: [x: number, y: number][];
+  isMarked?: boolean; // its points are large, and in front
 }
 
 // Okabe and Ito 2008, Color Universal Design; those with contrast on light and on dark.
@@ -61,14 +62,16 @@ export class Plot {
   }
 
   set(series: Series[]): void {
-    this.chart.data.datasets = series.map(({name, points}, index) => ({
+    this.chart.data.datasets = series.map(({name, points, isMarked}, index) => ({
       label: name,
       data: points.map(([x, y]) => ({x, y})),
       showLine: !this.points,
       borderColor: seriesColours[index % seriesColours.length],
       backgroundColor: seriesColours[index % seriesColours.length],
       borderWidth: 2,
-      pointRadius: points.length > 50 && !this.points ? 0 : 3,
+      pointRadius: isMarked ? 7 : points.length > 50 && !this.points ? 0 : 3,
+      pointStyle: isMarked ? "rectRot" : "circle",
+      order: isMarked ? 0 : 1,
     }));
     this.chart.options.plugins!.legend!.display = series.length > 1;
     this.chart.update();

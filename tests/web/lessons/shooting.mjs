@@ -1,0 +1,108 @@
+// Shots, energy and edits against hemitex solve; pictures per second while a block moves.
+import {mkdtempSync, readFileSync, rmSync, writeFileSync} from "node:fs";
+import {tmpdir} from "node:os";
+import {join} from "node:path";
+
+const scene = join(import.meta.dirname, "../../../data/cornell-box.obj");
+const minPictures = 5; // per second
+
+/** What hemitex solve finds with the settings of the lesson, with the edits of one frame. */
+function solved(run, stop, edits) {
+  const folder = mkdtempSync(join(tmpdir(), "hemitex-shooting-"));
+  writeFileSync(join(folder, "edits.json"), JSON.stringify({frames: [edits]}));
+  // With --edits, also without any, no part of a surface counts as covered.
+  run("solve", scene, "--texels", "16", "--patch", "4", "--resolution", "128", "--split", "1", ...stop,
+    "--edits", join(folder, "edits.json"), "--size", "64x48", "-q", "-o", join(folder, "lit"));
+  const read = (path) => JSON.parse(readFileSync(join(folder, "lit", path), "utf8"));
+  const results = {before: read("solution.json"), after: read("frame-1/solution.json")};
+  rmSync(folder, {recursive: true});
+  return results;
+}
+
+const sum = (bands) => bands[0] + bands[1] + bands[2];
+
+/** The shares in percent that the lesson states. */
+function shares(text) {
+  const [, emitted, absorbed, unshot, lost] = text
+    .match(/emitted ([\d.]+) kW = absorbed (-?[\d.]+) % \+ unshot (-?[\d.]+) % \+ lost (-?[\d.]+) %/)
+    .map(Number);
+  return {emitted, absorbed, unshot, lost};
+}
+
+export default async function check(page, {close, equal, ok, value, until, open, address, run}) {
+  const press = (name) => page.getByRole("button", {name, exact: true}).click();
+  const slider = (name) => page.getByRole("slider", {name, exact: true});
+  const idle = () => until(async () => (await page.getByRole("button", {name: "Run", exact: true}).count()) === 1, "idle");
+  const view = page.locator(".scene-view canvas");
+
+  const checkEnergy = async (energy, tolerance, what) => {
+    const found = shares(await value("energy"));
+    const emitted = sum(energy.emitted);
+    close(found.emitted, emitted / 1000, 0.006, `${what}: emitted`);
+    for (const part of ["absorbed", "unshot", "lost"])
+      close(found[part], (100 * sum(energy[part])) / emitted, tolerance, `${what}: ${part}`);
+    close(found.absorbed + found.unshot + found.lost, 100, 0.02, `${what}: the parts`);
+  };
+
+  await press("One shot");
+  await press("Ten shots");
+  const byHand = solved(run, ["--shots", "11"], []).before;
+  equal((await value("shots")).split(":")[0], "11 shots", "shots");
+  close(Number.parseFloat((await value("shots")).split(":")[1]), 100 * byHand.residual, 0.0006, "unshot after 11 shots");
+  await checkEnergy(byHand.energy, 0.006, "after 11 shots");
+
+  const lit = await view.screenshot();
+  await page.getByLabel("Add the ambient estimate").check();
+  await until(async () => !lit.equals(await view.screenshot()), "the ambient estimate is visible");
+  await page.getByLabel("Colours").selectOption("unshot");
+  await until(async () => (await value("legend")).startsWith("Yellow"), "the legend of the flux");
+  await page.getByLabel("Colours").selectOption("light");
+  await page.getByLabel("Add the ambient estimate").uncheck();
+
+  await press("Run");
+  await idle();
+  ok(Number.parseFloat((await value("shots")).split(":")[1]) <= 1, "converged");
+
+  // A block moves: from key to key, and then with the mouse for three seconds.
+  await slider("Move along x").focus();
+  for (let i = 0; i < 8; ++i) await page.keyboard.press("ArrowRight");
+  await idle();
+  const moved = solved(run, ["--residual", "0.01"], [{move: "short-block", by: [40, 0, 0]}]);
+  await checkEnergy(moved.after.energy, 2, "after the block moved");
+  const box = await slider("Move along x").boundingBox();
+  const at = (share) => page.mouse.move(box.x + box.width * share, box.y + box.height / 2);
+  await at(0.3);
+  await page.mouse.down();
+  const end = Date.now() + 3000;
+  for (let share = 0.3; Date.now() < end; share = 0.2 + ((share + 0.01) % 0.6)) await at(share);
+  const pictures = Number.parseFloat(await value("pictures-per-second"));
+  await page.mouse.up();
+  console.log(`     ${await value("pictures-per-second")}`);
+  ok(pictures >= minPictures, `${pictures} pictures per second`);
+  await idle();
+  await until(async () => (await address()).includes("short-block-x="), "the place is in the address");
+
+  // The lamp: off and on. All light returns.
+  await open("shots=0");
+  await press("Run");
+  await idle();
+  const before = shares(await value("energy"));
+  await page.getByLabel("Lamp on").uncheck();
+  await until(async () => shares(await value("energy")).emitted === 0, "the lamp is off");
+  await idle();
+  await page.getByLabel("Lamp on").check();
+  await until(async () => shares(await value("energy")).emitted > 0, "the lamp is on");
+  await idle();
+  close(shares(await value("energy")).absorbed, before.absorbed, 2, "absorbed again");
+  await page.getByLabel("Colour of the red wall").selectOption("black");
+  await until(async () => shares(await value("energy")).absorbed !== before.absorbed, "the wall is painted");
+  await idle();
+  const painted = [{reflectance: "wall-red", to: [0.02, 0.02, 0.02]}];
+  await checkEnergy(solved(run, ["--residual", "0.01"], painted).after.energy, 2, "with a black wall");
+
+  for (const [option, verdict] of [["One per patch", "Not yet"], ["None", "Right"]]) {
+    await page.getByLabel(option, {exact: true}).check();
+    await page.getByRole("button", {name: "Check"}).click();
+    ok((await value("verdict")).startsWith(verdict), verdict);
+  }
+}

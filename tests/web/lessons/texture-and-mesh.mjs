@@ -1,0 +1,47 @@
+// Pixels and form factors by texture and by mesh against hemitex formfactors, triangles, and the measured times.
+import {readFileSync} from "node:fs";
+import {join} from "node:path";
+
+const scene = join(import.meta.dirname, "../../../data/cornell-box.obj");
+
+/** The form factors of the element in the middle of the floor, 8 x 8 elements per surface. */
+function rowBy(run, way) {
+  const table = run("formfactors", scene, "-q", "--texels", "8", "--from", "floor:4,4", "--resolution", "128",
+    "--orientation", "aligned", "--discretize", way);
+  const [head, ...lines] = table.trim().split("\n").map((line) => line.split(","));
+  return lines.map((line) => Number(line[head.indexOf("form_factor")]));
+}
+
+export default async function check(page, {close, equal, ok, value, until, open, address, run}) {
+  await open("power=3&resolution=128");
+  const [different, all] = (await value("differences")).match(/(\d+) of (\d+) pixels/).slice(1).map(Number);
+  equal(all, 3 * 128 * 128, "pixels of the five faces");
+  ok(different < all / 100, `${different} pixels differ`);
+  const [texture, mesh] = ["texture", "mesh"].map((way) => rowBy(run, way));
+  const sum = texture.reduce((total, factor, e) => total + Math.abs(factor - mesh[e]), 0);
+  close(Number((await value("differences")).match(/by ([\d.]+) in all/)[1]), sum, 1e-6, "difference of form factors");
+
+  await until(async () => (await value("measurement")).startsWith("Median"), "all is measured");
+  const triangles = async () =>
+    (await value("triangles")).match(/(\d+) elements: (\d+) triangles by texture, (\d+) by mesh/).slice(1).map(Number);
+  const ofScene = readFileSync(scene, "utf8").match(/^f .*/gm).reduce((sum, face) => sum + face.split(" ").length - 3, 0);
+  const [few, byTexture, byMesh] = await triangles();
+  equal(byTexture, ofScene, "triangles by texture");
+  ok(byMesh >= 2 * few, "triangles by mesh");
+  await page.getByRole("slider").focus();
+  for (let i = 0; i < 4; ++i) await page.keyboard.press("ArrowRight");
+  await until(async () => (await triangles())[0] > 200 * few, "128 x 128 elements per surface");
+  const [many, stillByTexture, manyByMesh] = await triangles();
+  equal(stillByTexture, ofScene, "triangles by texture of many elements");
+  ok(manyByMesh >= 2 * many, "triangles by mesh of many elements");
+  const ratio = Number((await value("times")).match(/([\d.e+]+) times/)[1]);
+  console.log(`     ${many} elements: ${await value("times")}`);
+  ok(ratio > 5, `the mesh takes ${ratio} times as long`);
+  await until(async () => (await address()).includes("power=7"), "the number of elements is in the address");
+
+  for (const [answer, verdict] of [[2 * 1024 * 1024, "Not yet"], [ofScene, "Right"]]) {
+    await page.getByRole("spinbutton").fill(String(answer));
+    await page.getByRole("button", {name: "Check"}).click();
+    ok((await value("verdict")).startsWith(verdict), verdict);
+  }
+}

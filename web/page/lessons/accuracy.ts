@@ -1,0 +1,325 @@
+// The error of a row of form factors against its time: resolution, rotation, subdivision, rays.
+import {okLch} from "../colours";
+import {button, checkbox, choice, columns, question, row, slider, sourceLink, status, text} from "../controls";
+import type {Elements, Row, RowSettings, Scene} from "../core";
+import type {Lesson, Page, State} from "../lesson";
+import {Plot, type Series} from "../plot";
+import {SceneView} from "../scene_view";
+
+const texels = 8;
+const truthSlices = 4; // each has rays of its own seed
+const truthSamples = 2 ** 18; // per slice
+const split = 0.003; // the default of the command line
+const shortestMeasurement = 20; // ms
+
+const sources: [name: string, label: string][] = [
+  ["light", "The lamp"],
+  ["wall-red", "The red wall"],
+  ["short-block#1", "A side of the short block"],
+  ["element", "One element of the back wall"],
+];
+
+/** Settings of a row: those of the learner, or of the sweep over all. */
+interface Setting {
+  method: "hemicube" | "rays";
+  resolution: number;
+  isRotated: boolean;
+  isSplit: boolean;
+  samples: number;
+}
+
+function settingOf(state: State): Setting {
+  return {
+    method: state.text("method", "hemicube") === "rays" ? "rays" : "hemicube",
+    resolution: state.number("resolution", 64),
+    isRotated: state.number("rotated", 1) === 1,
+    isSplit: state.number("split", 0) === 1,
+    samples: state.number("samples", 4096),
+  };
+}
+
+function rowSettings(setting: Setting): RowSettings {
+  if (setting.method === "rays") return {method: "rays", samples: setting.samples};
+  return {resolution: setting.resolution, rotated: setting.isRotated, split: setting.isSplit ? split : 1};
+}
+
+/** Settings with the same name are one line of the plot. */
+function nameOf({method, isRotated, isSplit}: Setting): string {
+  if (method === "rays") return "rays";
+  return `${isRotated ? "rotated" : "aligned"}${isSplit ? ", subdivided" : ""}`;
+}
+
+const lines = ["aligned", "rotated", "aligned, subdivided", "rotated, subdivided", "rays"];
+
+function* allSettings(): Generator<Setting> {
+  const common = {method: "hemicube", resolution: 0, samples: 0} as const;
+  for (let power = 4; power <= 10; ++power)
+    for (const isSplit of [false, true])
+      for (const isRotated of [false, true]) yield {...common, resolution: 2 ** power, isSplit, isRotated};
+  for (let power = 8; power <= 18; power += 2)
+    yield {...common, method: "rays", samples: 2 ** power, isSplit: false, isRotated: false};
+}
+
+interface Truth {
+  formFactors: Float64Array;
+  standardError: number; // sum over all elements
+}
+
+interface Tried {
+  setting: Setting;
+  milliseconds: number;
+  error: number;
+}
+
+/** A source of light: its rows of form factors and their truth. */
+class Source {
+  readonly elements: number[];
+  readonly tried = new Map<string, Tried>();
+  truth: Truth | null = null;
+  private readonly from: {element: number} | {surface: string};
+  private readonly slices: Row[] = [];
+
+  constructor(
+    private readonly divided: Elements,
+    name: string,
+  ) {
+    const {surfaces} = divided.info();
+    const {first_element: first, element_count: count} = surfaces.find((one) => one.name === name) ?? {
+      ...surfaces.find((one) => one.name === "wall-back")!,
+      element_count: 1,
+    };
+    const middle = (texels / 2) * texels + texels / 2;
+    this.from = name === "element" ? {element: first + middle} : {surface: name};
+    this.elements = "element" in this.from ? [this.from.element] : Array.from({length: count}, (_, i) => first + i);
+  }
+
+  /** Casts a part of the rays of the truth. Returns the share that is done. */
+  castSlice(): number {
+    const seed = this.slices.length + 1;
+    this.slices.push(this.divided.row(this.from, {method: "rays", samples: truthSamples, seed}));
+    if (this.slices.length === truthSlices) this.truth = meanOf(this.slices);
+    return this.slices.length / truthSlices;
+  }
+
+  /** Form factors less the truth. */
+  errors(setting: Setting): Float64Array {
+    const {formFactors, milliseconds} = this.row(setting);
+    const errors = formFactors.map((value, e) => value - this.truth!.formFactors[e]);
+    const error = errors.reduce((sum, value) => sum + Math.abs(value), 0);
+    this.tried.set(JSON.stringify(rowSettings(setting)), {setting, milliseconds, error});
+    return errors;
+  }
+
+  get(setting: Setting): Tried {
+    return this.tried.get(JSON.stringify(rowSettings(setting)))!;
+  }
+
+  /** With the mean time of several rows if one is too short for the clock. */
+  private row(setting: Setting): Row {
+    const settings = rowSettings(setting);
+    const row = this.divided.row(this.from, settings);
+    let total = row.milliseconds;
+    let count = 1;
+    for (; total < shortestMeasurement && count < 50; ++count)
+      total += this.divided.row(this.from, settings).milliseconds;
+    return {...row, milliseconds: total / count};
+  }
+}
+
+function meanOf(rows: Row[]): Truth {
+  const formFactors = new Float64Array(rows[0].formFactors.length);
+  const variances = new Float64Array(formFactors.length);
+  for (const row of rows) {
+    row.formFactors.forEach((value, e) => (formFactors[e] += value / rows.length));
+    row.standardErrors!.forEach((value, e) => (variances[e] += (value / rows.length) ** 2));
+  }
+  return {formFactors, standardError: variances.reduce((sum, variance) => sum + Math.sqrt(variance), 0)};
+}
+
+/** Orange for too much, blue for too little, dark for none. */
+function errorColours(errors: Float64Array, largest: number): Float32Array {
+  const colours = new Float32Array(3 * errors.length);
+  errors.forEach((error, e) => {
+    const size = largest > 0 ? Math.abs(error) / largest : 0;
+    colours.set(okLch(0.2 + 0.6 * size, 0.14 * size, error > 0 ? 0.16 : 0.7), 3 * e);
+  });
+  return colours;
+}
+
+function addText(parent: HTMLElement): void {
+  text(
+    parent,
+    "A pixel shows one element, even if it covers many: <em>resolution</em>. <em>Rotation</em>, by another angle per " +
+      "patch, turns the pattern of errors into noise. A hemicube has one centre, and the patch is not a point: " +
+      "<em>subdivision</em> (Baum, Rushmeier and Winget 1989) draws a near patch from several centres. Rays " +
+      "(Malley 1988) have neither error, but noise.",
+  );
+  text(
+    parent,
+    '<math display="block"><mtext>error</mtext><mo>=</mo><munder><mo>∑</mo><mi>j</mi></munder><mo>|</mo>' +
+      "<msub><mi>F</mi><mrow><mi>i</mi><mi>j</mi></mrow></msub><mo>−</mo>" +
+      "<msubsup><mi>F</mi><mrow><mi>i</mi><mi>j</mi></mrow><mtext>true</mtext></msubsup><mo>|</mo></math>",
+  );
+}
+
+/** The controls of a setting; `changed` is called after each change. */
+function addControls(parent: HTMLElement, state: State, setting: Setting, changed: () => void): void {
+  const methods: [string, string][] = [
+    ["hemicube", "Hemicubes"],
+    ["rays", "Rays"],
+  ];
+  const first = row(parent);
+  choice(first, {label: "Method", options: methods, value: setting.method}, (value) => {
+    setting.method = value === "rays" ? "rays" : "hemicube";
+    state.set("method", value);
+    showControls();
+    changed();
+  });
+  const power = (key: "resolution" | "samples", label: string, min: number, max: number) => {
+    const box = first.appendChild(document.createElement("div"));
+    box.style.flex = "2 1 200px";
+    const show = (value: number) => String(2 ** value);
+    slider(box, {label, min, max, step: 1, value: Math.log2(setting[key]), show}, (value) => {
+      state.set(key, (setting[key] = 2 ** value));
+      changed();
+    });
+    return box;
+  };
+  const resolution = power("resolution", "Pixels along the side of the top face", 4, 10);
+  const samples = power("samples", "Rays", 8, 18);
+  const boxes = row(parent);
+  checkbox(boxes, {label: "Rotate hemicubes", value: setting.isRotated}, (value) => {
+    state.set("rotated", Number((setting.isRotated = value)));
+    changed();
+  });
+  checkbox(boxes, {label: "Subdivide patches", value: setting.isSplit}, (value) => {
+    state.set("split", Number((setting.isSplit = value)));
+    changed();
+  });
+  function showControls(): void {
+    const isRays = setting.method === "rays";
+    for (const box of [resolution, boxes]) box.style.display = isRays ? "none" : "";
+    samples.style.display = isRays ? "" : "none";
+  }
+  showControls();
+}
+
+/** The lines of the plot: what was tried, the error of the truth, and the setting now. */
+function seriesOf({tried, truth}: Source, now: Tried): Series[] {
+  const points = (name: string) =>
+    [...tried.values()]
+      .filter(({setting}) => nameOf(setting) === name)
+      .map(({milliseconds, error}) => [milliseconds, error] as [number, number])
+      .sort((a, b) => a[0] - b[0]);
+  const times = [...tried.values()].map(({milliseconds}) => milliseconds);
+  const noise = [Math.min(...times) / 2, Math.max(...times) * 2].map(
+    (time) => [time, truth!.standardError] as [number, number],
+  );
+  return [
+    ...lines.map((name) => ({name, points: points(name)})),
+    {name: "standard error of the truth", points: noise},
+    {name: "your setting", points: [[now.milliseconds, now.error] as [number, number]], isMarked: true},
+  ];
+}
+
+function show(root: HTMLElement, {scene, state}: Page): () => void {
+  const box: Scene = scene("cornell-box");
+  const divided = box.discretize({texels});
+  const known = new Map<string, Source>();
+  const setting = settingOf(state);
+  let source = sourceNamed(state.text("source", "wall-red"));
+  let timer = 0;
+
+  const [left, right] = columns(root);
+  const view = new SceneView(left, {label: "The Cornell box, coloured by the error of each element", scene: box, elements: divided});
+  const legend = status(left, "legend");
+  choice(left, {label: "Light leaves", options: sources, value: state.text("source", "wall-red")}, (name) => {
+    state.set("source", name);
+    source = sourceNamed(name);
+    start();
+  });
+  addControls(left, state, setting, () => {
+    if (source.truth) showRow();
+  });
+  addText(right);
+  const plot = new Plot(right, {
+    label: "Error of a row of form factors over its time",
+    x: "ms per row",
+    y: "error",
+    logarithmicX: true,
+    logarithmicY: true,
+  });
+  const result = status(right, "error");
+  const buttons = row(right);
+  button(buttons, "Try all settings", () => {
+    if (source.truth) sweep(allSettings());
+  });
+  const progress = status(buttons, "truth");
+  question(right, {
+    text: "The red wall, hemicubes without subdivision: 1024 pixels instead of 64 hardly lower the error. Why?",
+    options: [
+      "Rotation is needed, too: the pixels form a pattern",
+      "The centres are the larger error: light leaves all of a patch, not one point",
+      "The truth has noise of the same size",
+    ],
+    right: 1,
+    why: "More pixels help until another error is larger. Then only more centres help.",
+  });
+  sourceLink(right, "radiosity/form_factors/patch_subdivision.h", "Subdivision");
+
+  function sourceNamed(name: string): Source {
+    const named = known.get(name) ?? new Source(divided, name);
+    known.set(name, named);
+    return named;
+  }
+
+  /** Casts the rays of the truth in time slices, if they are not known. Then shows the row. */
+  function start(): void {
+    clearTimeout(timer);
+    view.mark(source.elements);
+    if (source.truth) return showRow();
+    progress.set("Casting the rays of the truth ...");
+    timer = window.setTimeout(() => {
+      source.castSlice();
+      start();
+    }, 20);
+  }
+
+  function showRow(): void {
+    clearTimeout(timer);
+    const errors = source.errors(setting);
+    const {error, milliseconds} = source.get(setting);
+    const largest = errors.reduce((most, value) => Math.max(most, Math.abs(value)), 0);
+    view.setColours(errorColours(errors, largest));
+    legend.set(`Orange: too much, up to ${largest.toPrecision(3)}. Blue: too little. Outlined: the source.`);
+    result.set(`error ${error.toFixed(6)} in ${milliseconds.toPrecision(3)} ms`);
+    showPlot();
+  }
+
+  function showPlot(): void {
+    plot.set(seriesOf(source, source.get(setting)));
+    const rays = truthSlices * truthSamples;
+    progress.set(`Truth: ${rays} rays, standard error ${source.truth!.standardError.toFixed(4)}.`);
+  }
+
+  function sweep(rest: Iterator<Setting>): void {
+    clearTimeout(timer);
+    const next = rest.next();
+    showPlot();
+    if (next.done) return;
+    progress.set(`Trying ${nameOf(next.value)} ...`);
+    timer = window.setTimeout(() => {
+      source.errors(next.value);
+      sweep(rest);
+    });
+  }
+
+  start();
+  return () => {
+    clearTimeout(timer);
+    plot.dispose();
+    view.dispose();
+  };
+}
+
+export const lesson: Lesson = {id: "accuracy", title: "5. What accuracy costs", show};

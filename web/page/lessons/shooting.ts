@@ -1,0 +1,391 @@
+// Progressive refinement, shot by shot. After an edit of the scene the light is updated instead of computed again.
+import {valueColour} from "../colours";
+import {button, checkbox, choice, columns, element, question, row, slider, sourceLink, status, text} from "../controls";
+import type {Edit, Elements, Scene, SceneInfo, Solution, SolutionInfo, Vec3} from "../core";
+import type {Lesson, Page, State} from "../lesson";
+import {Plot} from "../plot";
+import {litColours, SceneView} from "../scene_view";
+
+const elementSettings = {texels: 16, patch: 4, editable: true};
+const shotSettings = {resolution: 128, split: 1, residual: 0.01, shots: 0, editable: true};
+const exposure = 2.5; // fixed, so that a darker lamp looks darker
+const shotsPerEdit = 200; // the rest follows in the next pictures
+const pointsOfCurve = 400;
+
+/** Objects that move, and how far along x and z, in mm. */
+const objects = [
+  {name: "short-block", label: "Short block", x: [-75, 250], z: [-60, 280]},
+  {name: "tall-block", label: "Tall block", x: [-250, 75], z: [-240, 75]},
+  {name: "light", label: "Lamp", x: [-200, 200], z: [-200, 200]},
+] as const;
+
+const paints: Record<string, Vec3> = {
+  blue: [0.05, 0.12, 0.6],
+  white: [0.74, 0.74, 0.75],
+  black: [0.02, 0.02, 0.02],
+};
+
+/** The changes of the scene that the learner asks for. */
+interface Changes {
+  places: Record<string, [x: number, z: number]>;
+  lamp: number; // emission over that of the file
+  wall: string; // paint of the red wall
+}
+
+function changesOf(state: State): Changes {
+  const places = objects.map(({name}) => [name, [state.number(`${name}-x`, 0), state.number(`${name}-z`, 0)]]);
+  return {places: Object.fromEntries(places), lamp: state.number("lamp", 1), wall: state.text("wall", "red")};
+}
+
+const unchanged: Changes = {
+  places: Object.fromEntries(objects.map(({name}) => [name, [0, 0]])),
+  lamp: 1,
+  wall: "red",
+};
+
+/** A moved lamp hangs 1 mm below the ceiling, which would cover it otherwise. */
+const heightAt = (name: string, [x, z]: [number, number]) => (name === "light" && (x || z) ? -1 : 0);
+
+/** The edits that lead from one state of the scene to another. */
+function editsBetween(from: Changes, to: Changes, {surfaces}: SceneInfo): Edit[] {
+  const edits: Edit[] = [];
+  for (const {name} of objects) {
+    const [old, next] = [from.places[name], to.places[name]];
+    const by: Vec3 = [next[0] - old[0], heightAt(name, next) - heightAt(name, old), next[1] - old[1]];
+    if (by.some((distance) => distance !== 0)) edits.push({edit: "move", name, by});
+  }
+  if (from.lamp !== to.lamp) {
+    const {emission} = surfaces.find(({name}) => name === "light")!;
+    edits.push({edit: "emission", name: "light", to: emission.map((band) => band * to.lamp) as Vec3});
+  }
+  if (from.wall !== to.wall) {
+    const {reflectance} = surfaces.find(({name}) => name === "wall-red")!;
+    edits.push({edit: "reflectance", name: "wall-red", to: paints[to.wall] ?? reflectance});
+  }
+  return edits;
+}
+
+const sum = (bands: Vec3) => bands[0] + bands[1] + bands[2];
+
+/** A solution, and what was shot since its start. */
+class Shooting {
+  solution: Solution;
+  info: SolutionInfo;
+  shots = 0;
+  curve: [shots: number, residual: number][] = [];
+  private readonly scene: SceneInfo;
+  private applied = unchanged;
+
+  constructor(scene: Scene) {
+    this.scene = scene.info();
+    this.solution = scene.discretize(elementSettings).solve(shotSettings);
+    this.info = this.solution.info();
+    this.record();
+  }
+
+  /** Begins without light; edits stay. */
+  restart(): void {
+    this.solution = this.solution.elements().solve(shotSettings);
+    this.info = this.solution.info();
+    this.shots = 0;
+    this.curve = [];
+    this.record();
+  }
+
+  shoot(count: number): void {
+    this.info = this.solution.shoot(count);
+    this.record();
+  }
+
+  /** Updates the light for these changes. Returns the edits. */
+  change(to: Changes): Edit[] {
+    const edits = editsBetween(this.applied, to, this.scene);
+    if (!edits.length) return edits;
+    this.info = this.solution.edit(edits, shotsPerEdit);
+    this.applied = structuredClone(to);
+    this.record();
+    return edits;
+  }
+
+  get isDone(): boolean {
+    return this.info.residual <= shotSettings.residual;
+  }
+
+  private record(): void {
+    this.shots += this.info.shots;
+    if (this.info.residual > 0) this.curve.push([this.shots, this.info.residual]);
+    if (this.curve.length > pointsOfCurve) this.curve.shift();
+  }
+}
+
+/** The radiosity of the elements, with the ambient estimate if wanted. */
+function radiosityOf({solution, info}: Shooting, elements: Elements, withAmbient: boolean): Float64Array {
+  const radiosity = solution.radiosity();
+  if (!withAmbient) return radiosity;
+  for (const {first_element, element_count, reflectance} of elements.info().surfaces)
+    for (let i = 3 * first_element; i < 3 * (first_element + element_count); ++i)
+      radiosity[i] += reflectance[i % 3] * info.ambient[i % 3];
+  return radiosity;
+}
+
+/** The flux that each patch has shot, W, bands summed: what it sends out less what is unshot. */
+function shotFlux({solution}: Shooting, elements: Elements, patchOf: Uint32Array): Float64Array {
+  const flux = solution.unshot().map((unshot) => -unshot);
+  const radiosity = solution.radiosity();
+  elements.areas().forEach((area, e) => {
+    flux[patchOf[e]] += area * (radiosity[3 * e] + radiosity[3 * e + 1] + radiosity[3 * e + 2]);
+  });
+  return flux;
+}
+
+/** Colours by the flux of the element's patch: dark to bright, and red where it is negative. */
+function fluxColours(flux: Float64Array, patchOf: Uint32Array, largest: number): Float32Array {
+  const colours = new Float32Array(3 * patchOf.length);
+  patchOf.forEach((patch, e) => {
+    const share = largest > 0 ? flux[patch] / largest : 0;
+    colours.set(share < 0 ? [0.2 - 0.7 * share, 0.1, 0.1] : valueColour(share), 3 * e);
+  });
+  return colours;
+}
+
+/** Pictures per second over the last pictures, each from its animation frame to the next one. */
+class Rate {
+  private times: number[] = [];
+  private start = 0;
+
+  /** At each animation frame; `isBusy`: it makes a picture. */
+  frame(now: number, isBusy: boolean): void {
+    if (this.start) this.times = [...this.times.slice(-19), now - this.start];
+    this.start = isBusy ? now : 0;
+  }
+
+  get perSecond(): number {
+    return (1000 * this.times.length) / this.times.reduce((total, time) => total + time, 0);
+  }
+}
+
+const parts = [
+  ["absorbed", "#0072b2", "#ffffff"],
+  ["unshot", "#e69f00", "#000000"],
+  ["lost", "#5a5f66", "#ffffff"],
+] as const;
+
+/** Where the emitted light went, as a bar and as text. */
+function energyBar(parent: HTMLElement): (info: SolutionInfo) => void {
+  const bar = element(parent, "div", {ariaHidden: "true"});
+  bar.style.cssText = "display: flex; height: 22px; font-size: 13px; line-height: 22px; overflow: hidden";
+  const boxes = parts.map(([name, background, color]) => {
+    const box = element(bar, "div", {textContent: name});
+    Object.assign(box.style, {background, color, overflow: "hidden", textIndent: "4px"});
+    return box;
+  });
+  const account = status(parent, "energy");
+  return ({energy}) => {
+    const emitted = sum(energy.emitted);
+    const share = (name: keyof SolutionInfo["energy"]) => (emitted > 0 ? (100 * sum(energy[name])) / emitted : 0);
+    parts.forEach(([name], i) => (boxes[i].style.width = `${Math.max(0, share(name))}%`));
+    const terms = parts.map(([name]) => `${name} ${share(name).toFixed(2)} %`);
+    account.set(`emitted ${(emitted / 1000).toFixed(2)} kW = ${terms.join(" + ")}`);
+  };
+}
+
+function addText(right: HTMLElement): void {
+  text(
+    right,
+    "A shot takes the patch <math><mi>i</mi></math> with the most unshot flux Φ, draws one hemicube over it, and " +
+      "gives each element <math><mi>j</mi></math> its share. The element reflects a part ρ, which is unshot in turn " +
+      "(Cohen, Chen, Wallace and Greenberg 1988):",
+  );
+  text(
+    right,
+    '<math display="block"><mi>Δ</mi><msub><mi>B</mi><mi>j</mi></msub><mo>=</mo><msub><mi>ρ</mi><mi>j</mi></msub>' +
+      "<msub><mi>F</mi><mrow><mi>i</mi><mi>j</mi></mrow></msub><msub><mi>Φ</mi><mi>i</mi></msub><mo>/</mo>" +
+      "<msub><mi>A</mi><mi>j</mi></msub><mspace width='2em'></mspace>" +
+      "<msub><mi>B</mi><mtext>ambient</mtext></msub><mo>=</mo><mo>∑</mo><msub><mi>Φ</mi><mi>i</mi></msub><mo>/</mo>" +
+      "<mo>∑</mo><mo>(</mo><mn>1</mn><mo>−</mo><msub><mi>ρ</mi><mi>j</mi></msub><mo>)</mo>" +
+      "<msub><mi>A</mi><mi>j</mi></msub></math>",
+  );
+}
+
+function addQuestion(right: HTMLElement): void {
+  question(right, {
+    text: "The room is lit. You make the lamp twice as bright. How many hemicubes does hemitex draw for the new light?",
+    options: ["One per patch", "One per patch of the lamp", "None"],
+    right: 2,
+    why: "Form factors depend on the geometry alone. Only the flux along known rows changes.",
+  });
+  sourceLink(right, "radiosity/solver/progressive_solver.cpp", "The loop of shots");
+  sourceLink(right, "radiosity/solver/dynamic_solution.cpp", "Updates after edits (Chen 1990)");
+}
+
+/** Sliders of one object. */
+function placeSliders(parent: HTMLElement, name: string, state: State, wanted: Changes, changed: () => void): void {
+  parent.replaceChildren();
+  const object = objects.find((one) => one.name === name) ?? objects[0];
+  const place = wanted.places[object.name];
+  (["x", "z"] as const).forEach((axis, i) => {
+    const [min, max] = object[axis];
+    const show = (value: number) => `${value} mm`;
+    slider(parent, {label: `Move along ${axis}`, min, max, step: 5, value: place[i], show}, (value) => {
+      place[i] = value;
+      state.set(`${object.name}-${axis}`, value);
+      changed();
+    });
+  });
+}
+
+/** Controls that change the scene; they write into `wanted` and call `changed`. */
+function addSceneControls(parent: HTMLElement, state: State, wanted: Changes, changed: () => void): void {
+  const line = row(parent);
+  const sliders = row(parent);
+  const options = objects.map(({name, label}) => [name, label] as [string, string]);
+  choice(line, {label: "Object", options, value: state.text("object", "short-block")}, (name) => {
+    state.set("object", name);
+    placeSliders(sliders, name, state, wanted, changed);
+  });
+  placeSliders(sliders, state.text("object", "short-block"), state, wanted, changed);
+  const walls = ["red", ...Object.keys(paints)].map((name) => [name, name] as [string, string]);
+  choice(line, {label: "Colour of the red wall", options: walls, value: wanted.wall}, (wall) => {
+    state.set("wall", (wanted.wall = wall));
+    changed();
+  });
+  addLampControls(line, state, wanted, changed);
+}
+
+function addLampControls(line: HTMLElement, state: State, wanted: Changes, changed: () => void): void {
+  const show = (value: number) => `${Math.round(100 * value)} %`;
+  let whenOn = wanted.lamp || 1;
+  const change = (to: number) => {
+    state.set("lamp", (wanted.lamp = to));
+    if (to) whenOn = to;
+    lamp.set(to > 0);
+    dimmer.set(to);
+    changed();
+  };
+  const dimmer = slider(line, {label: "Emission", min: 0, max: 2, step: 0.05, value: wanted.lamp, show}, change);
+  const lamp = checkbox(line, {label: "Lamp on", value: wanted.lamp > 0}, (isOn) => change(isOn ? whenOn : 0));
+}
+
+function show(root: HTMLElement, {scene, state}: Page): () => void {
+  const box = scene("cornell-box");
+  const shooting = new Shooting(box);
+  const wanted = changesOf(state);
+  const rate = new Rate();
+  let elements = shooting.solution.elements();
+  let patchOf = elements.patchOfElement();
+  let colouring = state.text("colours", "light");
+  let isAmbient = state.number("ambient", 0) === 1;
+  let isRunning = false;
+  let frame = 0;
+
+  const [left, right] = columns(root);
+  const view = new SceneView(left, {label: "The Cornell box, lit shot by shot", scene: box, elements});
+  const display = row(left);
+  const colours: [string, string][] = [
+    ["light", "Light"],
+    ["unshot", "Unshot flux per patch"],
+    ["shot", "Flux that each patch has shot"],
+  ];
+  choice(display, {label: "Colours", options: colours, value: colouring}, (value) => {
+    state.set("colours", (colouring = value));
+    draw();
+  });
+  checkbox(display, {label: "Add the ambient estimate", value: isAmbient}, (value) => {
+    state.set("ambient", Number((isAmbient = value)));
+    draw();
+  });
+  const legend = status(left, "legend");
+  addSceneControls(left, state, wanted, request);
+  const pictures = status(left, "pictures-per-second");
+  pictures.set("Move an object, dim the lamp, paint the wall: the light follows.");
+
+  addText(right);
+  const buttons = row(right);
+  const shootSome = (count: number) => {
+    isRunning = false;
+    shooting.shoot(count);
+    settle();
+  };
+  button(buttons, "One shot", () => shootSome(1));
+  button(buttons, "Ten shots", () => shootSome(10));
+  const run = button(buttons, "Run", () => {
+    isRunning = !isRunning;
+    settle();
+    if (isRunning) request();
+  });
+  const again = button(buttons, "Start again", () => {
+    isRunning = false;
+    shooting.restart();
+    settle();
+  });
+  const progress = status(right, "shots");
+  const plot = new Plot(right, {
+    label: "Unshot flux over emitted flux, over the number of shots",
+    x: "shots",
+    y: "unshot / emitted",
+    logarithmicY: true,
+  });
+  const showEnergy = energyBar(right);
+  addQuestion(right);
+
+  function draw(): void {
+    if (colouring === "light") {
+      view.setColours(litColours(radiosityOf(shooting, elements, isAmbient), exposure));
+      legend.set("");
+    } else {
+      const flux = colouring === "unshot" ? shooting.solution.unshot() : shotFlux(shooting, elements, patchOf);
+      const largest = flux.reduce((most, value) => Math.max(most, Math.abs(value)), 0);
+      view.setColours(fluxColours(flux, patchOf, largest));
+      legend.set(`Yellow: ${(largest / 1000).toPrecision(3)} kW. Dark: 0. Red: negative, to be taken back.`);
+    }
+    const {shots, info} = shooting;
+    progress.set(`${shots} shots: ${(100 * info.residual).toFixed(3)} % unshot`);
+    plot.set([{name: "unshot", points: shooting.curve}]);
+    showEnergy(info);
+  }
+
+  /** Draws while nothing runs: with the patch that shoots next. */
+  function settle(): void {
+    draw();
+    view.mark(isRunning ? [] : shooting.solution.brightest().elements);
+    run.textContent = isRunning ? "Pause" : "Run";
+    again.disabled = wanted.lamp === 0;
+    if (shooting.shots !== state.number("shots", 0)) state.set("shots", shooting.shots);
+  }
+
+  function request(): void {
+    frame ||= requestAnimationFrame(step);
+  }
+
+  /** One update per animation frame, whatever number of changes came since the last one. */
+  function step(now: number): void {
+    frame = 0;
+    const edits = shooting.change(wanted);
+    if (edits.length) isRunning = true;
+    else if (isRunning && !shooting.isDone) shooting.shoot(Math.max(1, Math.floor(shooting.shots / 16)));
+    else isRunning = false;
+    rate.frame(now, isRunning);
+    if (rate.perSecond)
+      pictures.set(`${rate.perSecond.toFixed(1)} pictures per second; update ${shooting.info.milliseconds.toFixed(0)} ms`);
+    if (!isRunning) return settle();
+    if (edits.some(({edit}) => edit === "move")) {
+      elements = shooting.solution.elements();
+      patchOf = elements.patchOfElement();
+      view.setElements(elements);
+    }
+    draw();
+    request();
+  }
+
+  const first = state.number("shots", 0);
+  if (first > 0) shooting.shoot(first);
+  settle();
+  request();
+  return () => {
+    cancelAnimationFrame(frame);
+    plot.dispose();
+    view.dispose();
+  };
+}
+
+export const lesson: Lesson = {id: "shooting", title: "3. Shooting", show};
