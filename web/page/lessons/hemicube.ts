@@ -1,0 +1,261 @@
+// The hemicube over an element of the Cornell box, unfolded, and the form factors that it gives.
+import {valueColour, type Rgb} from "../colours";
+import {choice, columns, element, question, row, slider, sourceLink, status, text} from "../controls";
+import type {Elements, HemicubeView, Scene} from "../core";
+import type {Lesson, State} from "../lesson";
+import {PixelCanvas} from "../pixels";
+import {SceneView} from "../scene_view";
+import {bytesOf, cssColour, texelColour} from "./element_colours";
+import {Texels, type Texel} from "./texel_names";
+import {unfoldedHemicube, type FacePixel} from "./unfolded_hemicube";
+
+const texelsPerSide = 8;
+const faceNames = ["top", "side +x", "side +y", "side -x", "side -y"];
+const noElement = bytesOf([0.1, 0.1, 0.12]);
+const palette = Array.from({length: 256}, (_, level) => valueColour(level / 255));
+const paletteBytes = palette.map(bytesOf);
+
+const style = `
+.hemicube-result { display: flex; flex-wrap: wrap; gap: 0 20px; }
+.hemicube table { font-variant-numeric: tabular-nums; }
+.hemicube td { text-align: right; }
+.hemicube th { font-weight: normal; }
+.hemicube th, .hemicube td { border-width: 0 0 1px; }
+.hemicube tr.current > * { background: var(--accent); color: var(--on-accent); }
+.hemicube .swatch { display: inline-block; width: 0.8em; height: 0.8em; margin-right: 6px; }
+`;
+
+const introduction = `A hemicube is half a cube over a patch (Cohen and Greenberg 1985). The renderer draws the scene on
+its five faces. A pixel's <em>delta form factor</em> is the share of the patch's light that passes through it. For a pixel
+of area ΔA at (x, y) on the top face, at distance 1,
+<math><mi>ΔF</mi><mo>=</mo><mfrac><mi>ΔA</mi><mrow><mi>π</mi><msup><mrow><mo>(</mo><msup><mi>x</mi><mn>2</mn></msup>
+<mo>+</mo><msup><mi>y</mi><mn>2</mn></msup><mo>+</mo><mn>1</mn><mo>)</mo></mrow><mn>2</mn></msup></mrow></mfrac></math>.
+The form factor to a surface is the sum over the pixels that show it.`;
+
+const sumOf = (values: Float64Array) => values.reduce((a, b) => a + b, 0);
+const maximumOf = (values: Float64Array) => values.reduce((a, b) => Math.max(a, b), 0);
+const levelOf = (share: number, largest: number) => Math.round((255 * share) / largest);
+
+/** How many times larger the delta form factor in the middle of the top face is than in its corner. */
+function middleOverCorner(elements: Elements): number {
+  const {weights, width, height} = elements.hemicube(0, {resolution: 256}).faces[0];
+  return weights[(height / 2) * width + width / 2] / weights[0];
+}
+
+class HemicubeLesson {
+  private readonly elements: Elements;
+  private readonly texels: Texels;
+  private readonly surfaces: string[]; // the blocks are one surface each
+  private readonly colours: Rgb[]; // of elements
+  private readonly sceneView: SceneView;
+  private readonly picture: PixelCanvas;
+  private readonly table: HTMLElement;
+  private readonly sum: {set(text: string): void};
+  private readonly pixel: {set(text: string): void};
+  private readonly command: {set(text: string): void};
+  private showFrom = () => {};
+  private from: Texel;
+  private source: number;
+  private resolution: number;
+  private byShare: boolean;
+  private cross: (FacePixel | undefined)[] = [];
+  private pointed: [column: number, row: number] = [0, 0];
+  private view: HemicubeView;
+
+  constructor(root: HTMLElement, scene: Scene, private readonly state: State) {
+    this.elements = scene.discretize({texels: texelsPerSide});
+    this.texels = new Texels(this.elements);
+    const {surfaces, elements} = this.texels.info;
+    this.surfaces = [...new Set(surfaces.map((_, surface) => this.texels.whole(surface)))];
+    this.colours = Array.from({length: elements}, (_, element) => this.colourOf(element));
+    this.from = this.texels.named(state.text("from", "")) ?? {surface: 0, column: 4, row: 4};
+    this.source = this.texels.element(this.from)!;
+    this.resolution = state.number("resolution", 64);
+    this.byShare = state.text("colours", "elements") === "shares";
+    this.view = this.elements.hemicube(this.source, {resolution: this.resolution});
+
+    element(root, "style", {textContent: style});
+    const [left, right] = columns(root);
+    this.sceneView = new SceneView(left, {label: "The Cornell box and its elements", scene, elements: this.elements});
+    this.sceneView.onPick((picked) => this.move(this.texels.of(picked)));
+    this.addPlace(row(left));
+    this.addSettings(row(left));
+    text(right, introduction);
+    const result = element(right, "div", {className: "hemicube-result"});
+    this.picture = new PixelCanvas(element(result, "div"), {
+      label: "The five faces of the hemicube, unfolded",
+      columns: 2 * this.resolution,
+      rows: 2 * this.resolution,
+      size: 320,
+    });
+    this.table = element(result, "div");
+    this.pixel = status(right, "hemicube-pixel");
+    this.sum = status(right, "hemicube-sum");
+    this.command = status(right, "hemicube-command");
+    this.addQuestion(right);
+    this.picture.onSelect((column, line) => this.point(column, line));
+    this.setResolution(this.resolution);
+  }
+
+  end(): void {
+    this.sceneView.dispose();
+  }
+
+  private colourOf(element: number): Rgb {
+    const {surface, column, row} = this.texels.of(element);
+    const {columns, rows} = this.texels.info.surfaces[surface];
+    return texelColour(this.surfaces.indexOf(this.texels.whole(surface)), columns, rows, row * columns + column);
+  }
+
+  /** The place of the patch. */
+  private addPlace(parent: HTMLElement): void {
+    const span = {min: 0, max: texelsPerSide - 1, step: 1};
+    const surfaces = this.texels.info.surfaces.map(({name}, number): [string, string] => [String(number), name]);
+    const surface = choice(parent, {label: "Patch on", options: surfaces, value: String(this.from.surface)}, (to) =>
+      this.move({...this.from, surface: Number(to)}),
+    );
+    const column = slider(parent, {label: "Column", ...span, value: this.from.column}, (to) =>
+      this.move({...this.from, column: to}),
+    );
+    const line = slider(parent, {label: "Row", ...span, value: this.from.row}, (to) =>
+      this.move({...this.from, row: to}),
+    );
+    this.showFrom = () => {
+      surface.set(String(this.from.surface));
+      column.set(this.from.column);
+      line.set(this.from.row);
+    };
+  }
+
+  private addSettings(parent: HTMLElement): void {
+    const pixels = {label: "Resolution R", min: 16, max: 256, step: 16, value: this.resolution};
+    slider(parent, pixels, (to) => this.setResolution(to));
+    const options: [string, string][] = [["elements", "elements"], ["shares", "delta form factors"]];
+    choice(parent, {label: "Colours", options, value: this.byShare ? "shares" : "elements"}, (to) => {
+      this.byShare = to === "shares";
+      this.state.set("colours", to);
+      this.paint();
+    });
+  }
+
+  private addQuestion(parent: HTMLElement): void {
+    question(parent, {
+      text: "How many times larger is ΔF in the middle of the top face than in its corner, at R = 256?",
+      answer: () => middleOverCorner(this.elements),
+      tolerance: 0.15,
+      why: "In the middle x = y = 0, in the corner x = y = 1: the ratio of the denominators is (1 + 1 + 1)² = 9.",
+    });
+    sourceLink(parent, "radiosity/projection/projection_kinds.cpp", "Delta form factors");
+  }
+
+  private setResolution(resolution: number): void {
+    this.resolution = resolution;
+    this.cross = unfoldedHemicube(resolution);
+    this.pointed = [resolution, resolution];
+    this.state.set("resolution", resolution);
+    this.draw();
+  }
+
+  private move(to: Texel): void {
+    this.from = to;
+    this.showFrom();
+    this.draw();
+  }
+
+  private draw(): void {
+    const name = this.texels.name(this.from);
+    const source = this.texels.element(this.from);
+    if (source === undefined) {
+      this.command.set(`A block stands on ${name}.`);
+      return;
+    }
+    this.source = source;
+    this.state.set("from", name);
+    this.view = this.elements.hemicube(source, {resolution: this.resolution});
+    this.command.set(
+      `hemitex formfactors data/cornell-box.obj --from ${name} --resolution ${this.resolution} ` +
+        `--texels ${texelsPerSide} --by-surface`,
+    );
+    this.showSums();
+    this.paint();
+  }
+
+  private formFactorOf(surface: string): number {
+    const parts = this.texels.info.surfaces.map(({first_element, element_count}, part) =>
+      this.texels.whole(part) === surface
+        ? sumOf(this.view.formFactors.subarray(first_element, first_element + element_count))
+        : 0,
+    );
+    return parts.reduce((a, b) => a + b);
+  }
+
+  private showSums(): void {
+    const lines = this.surfaces.map((name, hue) => {
+      const swatch = `<span class="swatch" style="background: ${cssColour(texelColour(hue, 1, 1, 0))}"></span>`;
+      return `<tr data-surface="${name}"><th scope="row">${swatch}${name}</th>
+        <td>${this.formFactorOf(name).toFixed(4)}</td></tr>`;
+    });
+    this.table.innerHTML = `<table><thead><tr><th scope="col">to surface</th><th scope="col">form factor</th></tr></thead>
+      <tbody>${lines.join("")}</tbody></table>`;
+    const {formFactors, background, backs} = this.view;
+    const elements = sumOf(formFactors);
+    const [shown, open, black, all] = [elements, background, backs, elements + background + backs].map((part) =>
+      part.toFixed(4),
+    );
+    this.sum.set(`${shown} elements + ${open} background + ${black} backs = ${all}`);
+  }
+
+  private paint(): void {
+    const {faces, formFactors} = this.view;
+    const largest = Math.max(...faces.map(({weights}) => maximumOf(weights)));
+    const ofElement = this.colours.map(bytesOf);
+    const pixels = new Uint8ClampedArray(4 * this.cross.length);
+    this.cross.forEach((place, i) => {
+      if (!place) return;
+      const {elements, weights} = faces[place.face];
+      const shown = elements[place.pixel];
+      if (this.byShare) pixels.set(paletteBytes[levelOf(weights[place.pixel], largest)], 4 * i);
+      else pixels.set(shown < 0 ? noElement : ofElement[shown], 4 * i);
+    });
+    this.picture.show(pixels, 2 * this.resolution, 2 * this.resolution);
+
+    const largestFactor = maximumOf(formFactors);
+    const colours = this.byShare
+      ? Array.from(formFactors, (factor) => palette[levelOf(factor, largestFactor)])
+      : [...this.colours];
+    colours[this.source] = [1, 1, 1];
+    this.sceneView.setColours(Float32Array.from(colours.flat()));
+    this.point(...this.pointed);
+  }
+
+  /** Says what a pixel of the picture shows, and marks its element in the scene. */
+  private point(column: number, line: number): void {
+    this.pointed = [column, line];
+    this.picture.select(column, line);
+    const place = this.cross[line * 2 * this.resolution + column];
+    const shown = place ? this.view.faces[place.face].elements[place.pixel] : -1;
+    const surface = shown < 0 ? "" : this.texels.whole(this.texels.of(shown).surface);
+    this.pixel.set(place ? this.textOf(place, shown) : "No pixel");
+    this.sceneView.mark(shown < 0 ? [] : [shown]);
+    for (const entry of this.table.querySelectorAll<HTMLElement>("tbody tr"))
+      entry.classList.toggle("current", entry.dataset.surface === surface);
+  }
+
+  private textOf({face, pixel}: FacePixel, shown: number): string {
+    const {width, weights} = this.view.faces[face];
+    const what = shown >= 0 ? this.texels.name(this.texels.of(shown)) : shown === -1 ? "background" : "back of a face";
+    return (
+      `Pixel (${pixel % width}, ${Math.floor(pixel / width)}) of ${faceNames[face]}: ${what}, ` +
+      `ΔF = ${weights[pixel].toPrecision(4)}`
+    );
+  }
+}
+
+export const lesson: Lesson = {
+  id: "hemicube",
+  title: "2. The hemicube",
+  show(root, {scene, state}) {
+    const shown = new HemicubeLesson(root, scene("cornell-box"), state);
+    return () => shown.end();
+  },
+};

@@ -1,0 +1,344 @@
+// The item ID of a pixel: which triangle covers it, which texel it shows, and the sum of offset and index.
+import type {Rgb} from "../colours";
+import {checkbox, choice, columns, element, question, row, slider, sourceLink, status, text} from "../controls";
+import type {Core, Explanation, IdLayout, Vector, VectorJson} from "../core";
+import type {Lesson, State} from "../lesson";
+import {PixelCanvas} from "../pixels";
+import {bytesOf, cssColour, texelColour} from "./element_colours";
+
+const resolution = 16;
+
+// Three surfaces over a patch. The board meets the ceiling, and the tile is below both.
+const sceneText = `v -1.2 2 -2
+v 2 2 -1.2
+v 1.2 2 2
+v -2 2 1.2
+v -1.5 1.1 -0.9
+v 0.3 2.3 -1.5
+v 0.8 2.3 0.2
+v -1.1 1.1 1
+v 0.05 1 -0.15
+v 0.85 1.1 -0.05
+v 0.75 1.2 0.7
+v -0.05 1.1 0.6
+v -0.1 0 -0.1
+v -0.1 0 0.1
+v 0.1 0 0.1
+v 0.1 0 -0.1
+g ceiling
+f 1 2 3 4
+g board
+f 5 6 7 8
+g tile
+f 9 10 11 12
+g patch
+f 13 14 15 16
+`;
+const surfaceNames = ["ceiling", "board", "tile", "patch"];
+
+const wrongColour: Rgb = [0.72, 0, 0.6];
+const backgroundColour: Rgb = [0.1, 0.1, 0.12];
+const selectedTexel = "#ffd400";
+
+const style = `
+.pixel-picture { position: relative; }
+.pixel-picture svg { position: absolute; pointer-events: none; }
+.pixel-maps { display: flex; flex-wrap: wrap; gap: 8px 16px; align-items: center; margin-bottom: 8px; }
+.pixel-maps svg { width: 180px; height: 180px; }
+.pixel-maps tr.current > * { background: var(--accent); color: var(--on-accent); }
+.pixel .swatch { display: inline-block; width: 0.8em; height: 0.8em; margin-right: 6px; }
+.pixel th { font-weight: normal; }
+.pixel td { text-align: right; font-variant-numeric: tabular-nums; }
+.pixel ol { margin-bottom: 6px; }
+.pixel-derivation { min-height: 250px; }
+.pixel-maps .plus { font-size: 24px; }
+.pixel .sum { margin: 4px 0; }
+.pixel .sum th, .pixel .sum td { padding: 0 5px; border-width: 0; white-space: nowrap; }
+.pixel .sum td { font: 13px ui-monospace, monospace; }
+.pixel .sum tr.result > * { border-top-width: 1px; font-weight: bold; }
+.pixel .sum td.clamped { background: ${cssColour(wrongColour)}; color: #fff; }
+`;
+
+interface Settings {
+  format: string;
+  texels: number; // per side
+  aligned: boolean;
+}
+
+/** The top face of the hemicube over the patch. */
+interface Drawn {
+  vector: Vector;
+  json: VectorJson;
+  layout: IdLayout;
+  ids: Uint32Array;
+  exact: Uint32Array; // the same with an integer add, which loses no carry
+}
+
+function draw(core: Core, {format, texels, aligned}: Settings): Drawn {
+  const scene = core.loadScene({"scene.obj": sceneText}, "scene.obj");
+  const elements = scene.discretize({texels, surface_texels: {patch: 1}});
+  const patch = elements.info().elements - 1;
+  const settings = {format, aligned, resolution};
+  const vector = elements.vector(patch, settings);
+  const exact = elements.vector(patch, {...settings, blend: "integer-add"});
+  return {
+    vector,
+    json: vector.json(),
+    layout: elements.ids({format, aligned}),
+    ids: vector.render()[0],
+    exact: exact.render()[0],
+  };
+}
+
+interface Place {
+  surface: number;
+  index: number; // in the index map
+}
+
+function placeOf({pages}: IdLayout, id: number): Place | undefined {
+  const surface = pages.findIndex(({offset, columns, rows}) => id >= offset && id < offset + columns * rows);
+  return surface < 0 ? undefined : {surface, index: id - pages[surface].offset};
+}
+
+function surfaceOfDraw({json, layout}: Drawn, number: number): number {
+  return layout.pages.findIndex(({offset}) => offset === json.draws[number].offset);
+}
+
+function colourOf({ids, exact, layout}: Drawn, pixel: number): Rgb {
+  if (ids[pixel] !== exact[pixel]) return wrongColour;
+  const place = placeOf(layout, ids[pixel]);
+  if (!place) return backgroundColour;
+  const {columns, rows} = layout.pages[place.surface];
+  return texelColour(place.surface, columns, rows, place.index);
+}
+
+/** Over the pixels: the triangle that the selected pixel shows, and the item IDs. */
+function overlay({ids, exact, json}: Drawn, {derivation}: Explanation): string {
+  const numbers = Array.from(ids, (id, pixel) => {
+    if (id === json.background) return "";
+    const x = (pixel % resolution) + 0.5, y = resolution - Math.floor(pixel / resolution) - 0.35;
+    return `<text x="${x}" y="${y}" fill="${id === exact[pixel] ? "#000" : "#fff"}">${id}</text>`;
+  });
+  const corner = ({snapped: [x, y]}: {snapped: [number, number]}) => `${x / 256},${resolution - y / 256}`;
+  const triangle = derivation
+    ? `<polygon points="${derivation.corners.map(corner).join(" ")}" fill="none" stroke="#fff" stroke-width="0.1"/>`
+    : "";
+  return `${triangle}<g font-size="0.42" text-anchor="middle">${numbers.join("")}</g>`;
+}
+
+function indexMap(texels: number, selected: number): string {
+  const cells = Array.from({length: texels * texels}, (_, index) => {
+    const x = index % texels, y = texels - 1 - Math.floor(index / texels);
+    const level = Math.round(110 + (130 * index) / (texels * texels));
+    const fill = index === selected ? selectedTexel : `rgb(${level} ${level} ${level})`;
+    return `<rect x="${x}" y="${y}" width="1" height="1" fill="${fill}"/>
+      <text x="${x + 0.5}" y="${y + 0.65}" font-size="0.45" text-anchor="middle">${index}</text>`;
+  });
+  return `<svg viewBox="0 0 ${texels} ${texels}" role="img" aria-label="Index map, texels 0 to ${texels * texels - 1}">
+    ${cells.join("")}</svg>`;
+}
+
+function offsets({pages}: IdLayout, current: number): string {
+  const lines = pages.map(({offset, columns, rows}, surface) => {
+    const colour = cssColour(texelColour(surface, columns, rows, 0));
+    return `<tr${surface === current ? ' class="current"' : ""}><th scope="row">
+      <span class="swatch" style="background: ${colour}"></span>${surfaceNames[surface]}</th><td>${offset}</td></tr>`;
+  });
+  return `<table><thead><tr><th scope="col">surface</th><th scope="col">offset</th></tr></thead>
+    <tbody>${lines.join("")}</tbody></table>`;
+}
+
+interface ChannelSum {
+  bits: number;
+  offset: number;
+  texel: number;
+  result: number;
+}
+
+/** The addition in binary, the most significant channel first, and in decimal. */
+function addition(format: string, sums: ChannelSum[], decimal: [offset: number, index: number, id: number]): string {
+  const letters = [...format.matchAll(/([rgba])\d/g)].map(([, letter]) => letter.toUpperCase());
+  const channels = sums.map((sum, i) => ({...sum, letter: letters[i]})).reverse();
+  const line = (head: string, key: "offset" | "texel" | "result", value: number) => {
+    const isResult = key === "result";
+    const cells = channels.map((sum) => {
+      const clamped = isResult && sum.offset + sum.texel !== sum.result;
+      return `<td${clamped ? ' class="clamped"' : ""}>${sum[key].toString(2).padStart(sum.bits, "0")}</td>`;
+    });
+    return `<tr${isResult ? ' class="result"' : ""}><th scope="row">${head}</th>${cells.join("")}<td>${value}</td></tr>`;
+  };
+  const heads = channels.map(({letter}) => `<td>${letter}</td>`);
+  return `<table class="sum"><tbody><tr><td></td>${heads.join("")}<td></td></tr>
+    ${line("offset", "offset", decimal[0])}${line("+ index", "texel", decimal[1])}${line("= item ID", "result", decimal[2])}
+    </tbody></table>`;
+}
+
+const pixelNumber = (value: number) => Math.min(resolution - 1, Math.max(0, Math.round(value)));
+const rounded = (value: number) => String(Number(value.toPrecision(4)));
+
+function derivationText(drawn: Drawn, format: string, {derivation, word}: Explanation): string {
+  if (!derivation) return `<p>No triangle covers the sample: the pixel keeps the background, all bits set.</p>`;
+  const {triangle, edges, texel, sums, inverse_depth, runner_up} = derivation;
+  const nameOf = (number: number) => surfaceNames[surfaceOfDraw(drawn, number)];
+  const behind = runner_up
+    ? `Behind it is the ${nameOf(runner_up.draw)}, 1/w = ${rounded(runner_up.inverse_depth)}.`
+    : "There is nothing behind it.";
+  const values = edges.map(({value}: {value: number}) => value).join(", ");
+  return `<ol>
+    <li><b>Edge functions</b> of triangle ${triangle}: ${values}, none negative.</li>
+    <li><b>Depth</b>: 1/w = ${rounded(inverse_depth)} on the ${nameOf(derivation.draw)}. ${behind}</li>
+    <li><b>Texel</b>: ⌊uN⌋ = ⌊${rounded(texel.position[0])}⌋ = ${texel.column}, ⌊vN⌋ =
+      ⌊${rounded(texel.position[1])}⌋ = ${texel.row}, index ${texel.index}.</li>
+    <li><b>Sum</b> of each channel, at most its maximum:
+      ${addition(format, sums, [drawn.json.draws[derivation.draw].offset, texel.index, word])}</li>
+  </ol>`;
+}
+
+/** What a lost carry does. */
+function lossText({layout, exact}: Drawn, {column, row, word}: Explanation): string {
+  const sum = exact[row * resolution + column];
+  if (sum === word) return "";
+  const place = placeOf(layout, word);
+  const other = place ? `texel ${place.index} of the ${surfaceNames[place.surface]}, which gets the light` : "no element";
+  return `<p><b>The clamp lost a carry:</b> the sum is ${sum}, but the pixel holds ${word}. That is ${other}.</p>`;
+}
+
+class PixelLesson {
+  private readonly settings: Settings;
+  private readonly picture: PixelCanvas;
+  private readonly overlay = document.createElementNS("http://www.w3.org/2000/svg", "svg");
+  private readonly sizeObserver = new ResizeObserver(() => this.placeOverlay());
+  private readonly maps: HTMLElement;
+  private readonly derivation: HTMLElement;
+  private readonly id: {set(text: string): void};
+  private readonly room: {set(text: string): void};
+  private readonly wrong: {set(text: string): void};
+  private column: number;
+  private row: number;
+  private drawn: Drawn;
+
+  constructor(root: HTMLElement, private readonly core: Core, private readonly state: State) {
+    this.settings = {
+      format: state.text("format", "r5g6b5"),
+      texels: state.number("texels", 5),
+      aligned: state.number("aligned", 1) === 1,
+    };
+    this.column = pixelNumber(state.number("x", 7));
+    this.row = pixelNumber(state.number("y", 3));
+    this.drawn = draw(core, this.settings);
+
+    element(root, "style", {textContent: style});
+    const [left, right] = columns(root);
+    text(left, `Three surfaces, seen from a patch below them. Each pixel holds the number of the element that it shows,
+      its <em>item ID</em>. Point at a pixel.`);
+    this.picture = this.addPicture(left);
+    this.addControls(row(left));
+    text(left, "Without alignment the offsets have no gaps. Switch it off, and sums overflow a channel.");
+    this.wrong = status(left, "pixel-wrong");
+    this.room = status(left, "pixel-room");
+    text(right, `All surfaces share one texture, the <em>index map</em>. Each has an <em>offset</em>. The rasterizer
+      adds both as colours, channel by channel (Nielsen and Christensen 2002, section 3.2).`);
+    this.maps = element(right, "div", {className: "pixel-maps"});
+    this.id = status(right, "pixel-id");
+    this.derivation = element(right, "div", {className: "pixel-derivation"});
+    this.addQuestion(right);
+    this.show();
+  }
+
+  end(): void {
+    this.sizeObserver.disconnect();
+  }
+
+  private addPicture(parent: HTMLElement): PixelCanvas {
+    const box = element(parent, "div", {className: "pixel-picture"});
+    const picture = new PixelCanvas(box, {
+      label: "Item IDs of 16 x 16 pixels",
+      columns: resolution,
+      rows: resolution,
+      size: 448,
+    });
+    this.overlay.setAttribute("viewBox", `0 0 ${resolution} ${resolution}`);
+    this.overlay.setAttribute("aria-hidden", "true");
+    box.append(this.overlay);
+    this.sizeObserver.observe(picture.canvas);
+    picture.onSelect((column, line) => this.point(column, line));
+    return picture;
+  }
+
+  private placeOverlay(): void {
+    const {offsetLeft, offsetTop, offsetWidth, offsetHeight} = this.picture.canvas;
+    const box = {left: offsetLeft, top: offsetTop, width: offsetWidth, height: offsetHeight};
+    for (const [key, value] of Object.entries(box)) this.overlay.style.setProperty(key, `${value}px`);
+  }
+
+  private addControls(parent: HTMLElement): void {
+    const {format, texels, aligned} = this.settings;
+    const options = this.core.formats().map(({name}): [string, string] => [name, name]);
+    choice(parent, {label: "Format", options, value: format}, (to) => this.change({format: to}));
+    const side = {label: "Texels", min: 2, max: 16, step: 1, value: texels, show: (n: number) => `${n} x ${n}`};
+    slider(parent, side, (to) => this.change({texels: to}));
+    checkbox(parent, {label: "Aligned offsets", value: aligned}, (to) => this.change({aligned: to}));
+  }
+
+  private addQuestion(parent: HTMLElement): void {
+    question(parent, {
+      text: "r8g8b8a8, offset 200, index 60: which item ID does the clamped add give?",
+      answer: () => this.core.blend("r8g8b8a8", "clamped-add", 200, 60),
+      tolerance: 0,
+      why: `A channel of 8 bits holds at most 255; the carry is lost. Offsets that are multiples of 2<sup>k</sup>, where
+        k bits hold the largest index, share no bit with an index. Then no sum overflows.`,
+    });
+    const links = row(parent);
+    sourceLink(links, "raster/interface/item_id.h", "The sum");
+    sourceLink(links, "docs/item-buffers.md", "All rules");
+  }
+
+  private change(changed: Partial<Settings>): void {
+    Object.assign(this.settings, changed);
+    this.drawn = draw(this.core, this.settings);
+    this.state.set("format", this.settings.format);
+    this.state.set("texels", this.settings.texels);
+    this.state.set("aligned", Number(this.settings.aligned));
+    this.show();
+  }
+
+  private show(): void {
+    const {ids, exact, layout} = this.drawn;
+    this.picture.show(Uint8ClampedArray.from(Array.from(ids, (_, pixel) => bytesOf(colourOf(this.drawn, pixel))).flat()));
+    const {format, texels} = this.settings;
+    const room = this.core.maxSurfaces(format, texels ** 2);
+    this.wrong.set(`${ids.filter((id, pixel) => id !== exact[pixel]).length} pixels hold a wrong item ID.`);
+    this.room.set(`${texels ** 2} texels need k = ${layout.index_bits} of ${layout.bits} bits: ${room} surfaces fit.`);
+    this.picture.select(this.column, this.row);
+    this.explain();
+  }
+
+  private point(column: number, line: number): void {
+    [this.column, this.row] = [column, line];
+    this.state.set("x", column);
+    this.state.set("y", line);
+    this.explain();
+  }
+
+  private explain(): void {
+    const explanation = this.drawn.vector.explain("top", this.column, this.row);
+    const {derivation, word} = explanation;
+    this.overlay.innerHTML = overlay(this.drawn, explanation);
+    this.maps.innerHTML =
+      indexMap(this.settings.texels, derivation?.texel.index) +
+      `<span class="plus">+</span>` +
+      offsets(this.drawn.layout, derivation ? surfaceOfDraw(this.drawn, derivation.draw) : -1);
+    this.id.set(`Pixel (${this.column}, ${this.row}): item ID ${word}`);
+    this.derivation.innerHTML =
+      derivationText(this.drawn, this.settings.format, explanation) + lossText(this.drawn, explanation);
+  }
+}
+
+export const lesson: Lesson = {
+  id: "pixel",
+  title: "1. A pixel's number",
+  show(root, {core, state}) {
+    const shown = new PixelLesson(root, core, state);
+    return () => shown.end();
+  },
+};
