@@ -108,7 +108,7 @@ class PixelCounts {
  private:
   /// As many as fit into 64 MiB, but enough for several threads.
   std::size_t viewsAtOnce() const {
-    return std::clamp(std::size_t{1 << 24} / shares_.captured, std::size_t{2}, std::size_t{16});
+    return static_cast<std::size_t>(std::clamp<std::uint64_t>((1U << 24) / shares_.captured, 2, 16));
   }
 
   void draw(std::span<const glm::dvec3> directions, std::size_t first, std::size_t end, const AddWindow& add) {

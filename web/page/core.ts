@@ -269,9 +269,9 @@ export interface Core {
   /** The fault that most failing reports name, as text; empty if there is none. */
   commonFault(reports: Report[]): string;
   /** The class of a device that explains most errors, as text; empty if there is none. */
-  deviceClass(vectors: Vector[], reports: Report[]): string;
+  deviceClass(reports: Report[]): string;
   /** A conformance record as the text of its file. */
-  record(device: string, driver: string, profile: Profile, vectors: Vector[], reports: Report[]): string;
+  record(device: string, driver: string, profile: Profile, reports: Report[]): string;
   /** Formats of item IDs, narrowest first: bits per channel, least significant first. */
   formats(): {name: string; channels: number[]}[];
   maxSurfaces(format: string, texels: number): number;

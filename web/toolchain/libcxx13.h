@@ -12,17 +12,12 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <ranges>
 #include <string>
 
-namespace std {
-
-/// Copies the bits of a value into another type of the same size.
-template <typename To, typename From>
-constexpr To bit_cast(const From& from) noexcept {
-  return __builtin_bit_cast(To, from);
-}
-
 /// The numbers from `first` to `last` - 1, for range-based loops.
+_LIBCPP_BEGIN_NAMESPACE_STD
+
 namespace views {
 template <typename Integer>
 auto iota(Integer first, Integer last) {
@@ -40,6 +35,16 @@ auto iota(Integer first, Integer last) {
   return Range{first, last};
 }
 }  // namespace views
+
+_LIBCPP_END_NAMESPACE_STD
+
+namespace std {
+
+/// Copies the bits of a value into another type of the same size.
+template <typename To, typename From>
+constexpr To bit_cast(const From& from) noexcept {
+  return __builtin_bit_cast(To, from);
+}
 
 /// Reads a decimal number as [charconv.from.chars] says: without leading spaces or plus sign, and not in hexadecimal.
 inline from_chars_result from_chars(const char* first, const char* last, double& value) {

@@ -180,7 +180,7 @@ RaySource areaRaySource(const SurfacePieces& pieces, std::span<const std::uint32
     const auto end = std::find_if(first, sorted.end(),
                                   [&](const SurfacePiece* piece) { return columnOf(piece) != columnOf(*first); });
     const std::size_t begin = raySource.texels.size();
-    const double area = appendTexels({first, end}, raySource);
+    const double area = appendTexels(Pieces(&*first, static_cast<std::size_t>(end - first)), raySource);
     appendRange(raySource.columns, area, sum, begin, raySource.texels.size());
     first = end;
   }

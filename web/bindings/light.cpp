@@ -1,0 +1,207 @@
+/// Solutions by progressive refinement for JavaScript, shot by shot and with edits; web/page/core.ts has the types.
+#include "web/bindings/light.h"
+
+#include <emscripten.h>
+#include <emscripten/bind.h>
+
+#include <algorithm>
+#include <memory>
+#include <sstream>
+#include <utility>
+#include <vector>
+
+#include "radiosity/discretization/patch_points.h"
+#include "radiosity/scene/load_scene.h"
+#include "radiosity/solver/dynamic_solution.h"
+#include "radiosity/solver/progressive_solver.h"
+#include "radiosity/solver/shooting_state.h"
+#include "radiosity/bands/element_table.h"
+#include "raster/base/input_error.h"
+#include "raster/base/csv_table.h"
+#include "web/bindings/values.h"
+
+namespace hemitex::web {
+namespace {
+
+using raster::InputError;
+
+std::vector<radiosity::Edit> editsOf(const Json& list) {
+  std::vector<radiosity::Edit> edits;
+  for (const Json& edit : list) {
+    const std::string kind = edit.at("edit"), name = edit.at("name");
+    if (kind == "move") edits.push_back(radiosity::Move{name, vectorOf(edit.at("by"))});
+    if (kind == "remove") edits.push_back(radiosity::Remove{name});
+    if (kind == "restore") edits.push_back(radiosity::Restore{name});
+    if (kind == "emission") edits.push_back(radiosity::SetEmission{name, vectorOf(edit.at("to"))});
+    if (kind == "reflectance") edits.push_back(radiosity::SetReflectance{name, vectorOf(edit.at("to"))});
+  }
+  return edits;
+}
+
+/// Ends a solution after a number of shots.
+radiosity::Progress atMost(int shots) {
+  return [shots](const radiosity::Step& step) { return step.shots < shots; };
+}
+
+/// A solution. One that is editable continues in place.
+class SolutionHandle {
+ public:
+  SolutionHandle(const ElementsHandle& elements, const Json& settings)
+      : elements_(elements), drawing_(drawingSettings(settings)), ids_(idSettings(settings)) {
+    radiosity::requireEmission(*elements.scene, "the scene");
+    solver_.residual = settings.value("residual", radiosity::defaultResidual(*elements.scene));
+    if (settings.contains("shots")) solver_.shots = settings["shots"].get<int>();
+    solver_.rowCacheBytes = std::size_t{128} << 20;
+    const bool isEditable = settings.value("editable", false);
+    if (isEditable && !elements.settings.isUnburied) throw InputError("the elements are not editable");
+    const double start = emscripten_get_now();
+    solve(isEditable);
+    milliseconds_ = emscripten_get_now() - start;
+  }
+
+  Value info() const {
+    const radiosity::Solution& now = solution();
+    return toValue({{"shots", now.shots},
+                    {"residual", now.residual},
+                    {"ambient", web::toJson(now.ambient)},
+                    {"energy",
+                     {{"emitted", web::toJson(now.energy.emitted)},
+                      {"absorbed", web::toJson(now.energy.absorbed)},
+                      {"unshot", web::toJson(now.energy.unshot)},
+                      {"lost", web::toJson(now.energy.lost)},
+                      {"lost_to_backs", web::toJson(now.energy.lostToBacks)}}},
+                    {"milliseconds", milliseconds_}});
+  }
+
+  Value radiosity() const {
+    std::vector<double> numbers;
+    for (const glm::dvec3& value : solution().radiosity) numbers.insert(numbers.end(), {value.r, value.g, value.b});
+    return toArray("Float64Array", numbers);
+  }
+
+  Value unshot() const {
+    return guarded([&] {
+      const radiosity::ShootingState state = shootingState();
+      std::vector<double> flux;
+      for (std::uint32_t p = 0; p < state.patches().list.size(); ++p)
+        flux.push_back(radiosity::bandSum(state.unshot(p)));
+      return toArray("Float64Array", flux);
+    });
+  }
+
+  Value brightest() const {
+    return guarded([&] {
+      const std::uint32_t number = shootingState().brightestPatch();
+      const radiosity::Patch& patch = discretization().patches.list[number];
+      const radiosity::SurfacePoint centre = radiosity::patchCentre(scene(), discretization(), patch);
+      Json elements = Json::array();
+      const std::vector<std::uint32_t>& patchOf = discretization().patches.ofElement;
+      for (std::size_t e = 0; e < patchOf.size(); ++e)
+        if (patchOf[e] == number) elements.push_back(e);
+      return toValue({{"patch", number},
+                      {"surface", patch.surface},
+                      {"centre", web::toJson(centre.position)},
+                      {"normal", web::toJson(centre.normal)},
+                      {"elements", elements}});
+    });
+  }
+
+  ElementsHandle elements() const {
+    return {std::make_shared<const radiosity::Scene>(scene()), elements_.settings,
+            std::make_shared<const radiosity::Discretization>(discretization())};
+  }
+
+  Value shoot(int count) { return update({}, count); }
+  Value edit(const Value& edits, int shots) {
+    return guarded([&] { return update(editsOf(jsonOf(edits)), shots); });
+  }
+
+  std::string csv() const {
+    return guarded([&] {
+      std::ostringstream stream;
+      raster::writeCsv(stream, radiosity::elementTable(scene(), discretization(), solution()));
+      return stream.str();
+    });
+  }
+
+ private:
+  const radiosity::Scene& scene() const { return dynamic_ ? dynamic_->scene() : *elements_.scene; }
+  const radiosity::Discretization& discretization() const {
+    return dynamic_ ? dynamic_->discretization() : *elements_.discretization;
+  }
+  const radiosity::Solution& solution() const { return dynamic_ ? dynamic_->solution() : solution_; }
+
+  void solve(bool isEditable) {
+    radiosity::Discretization divided = *elements_.discretization;
+    const auto layOut = [ids = ids_](const radiosity::Discretization& edited) { return radiosity::layOut(edited, ids); };
+    radiosity::SceneFormFactors drawn(*elements_.scene, divided, layOut(divided), drawing_);
+    radiosity::RowCache ofViews(solver_.rowCacheBytes / 2);
+    radiosity::SolveInput input{.scene = *elements_.scene,
+                                .discretization = divided,
+                                .patches = divided.patches,
+                                .rowOf = drawn.rowOf(),
+                                .split = drawn.splits(),
+                                .settings = solver_,
+                                .outside = drawn.outsideFlux(),
+                                .seen = {{}, drawn.scoutRows()},
+                                .isContinued = isEditable};
+    if (isEditable)
+      input.rowOf = [&](const radiosity::Patch& patch) { return radiosity::rowByViews(drawn.rows(), ofViews, patch); };
+    solution_ = radiosity::solve(std::move(input));
+    divided.patches = std::move(solution_.patches);
+    if (!isEditable) {
+      elements_.discretization = std::make_shared<const radiosity::Discretization>(std::move(divided));
+      return;
+    }
+    solution_.continuation->rows.ofViews = std::move(ofViews);
+    solver_.shots.reset();
+    dynamic_ = std::make_unique<radiosity::DynamicSolution>(
+        *elements_.scene, std::move(divided), std::move(solution_),
+        radiosity::DynamicSettings{elements_.settings, drawing_, solver_}, layOut);
+  }
+
+  Value update(const std::vector<radiosity::Edit>& edits, int shots) {
+    return guarded([&] {
+      if (!dynamic_) throw InputError("the solution is not editable");
+      const double start = emscripten_get_now();
+      dynamic_->update(edits, atMost(shots));
+      milliseconds_ = emscripten_get_now() - start;
+      return info();
+    });
+  }
+
+  radiosity::ShootingState shootingState() const {
+    if (!dynamic_) throw InputError("the solution is not editable");
+    return {scene(), discretization(), discretization().patches, dynamic_->light()};
+  }
+
+  ElementsHandle elements_;
+  radiosity::DrawingSettings drawing_;
+  radiosity::IdSettings ids_;
+  radiosity::SolverSettings solver_;
+  radiosity::Solution solution_;                         ///< of one that is not editable
+  std::unique_ptr<radiosity::DynamicSolution> dynamic_;  ///< of one that is
+  double milliseconds_ = 0;
+};
+
+}  // namespace
+
+Value solve(const ElementsHandle& elements, const Value& settings) {
+  return guarded([&] { return Value(std::make_shared<SolutionHandle>(elements, jsonOf(settings))); });
+}
+
+EMSCRIPTEN_BINDINGS(light) {
+  using namespace emscripten;
+  class_<SolutionHandle>("Solution")
+      .smart_ptr<std::shared_ptr<SolutionHandle>>("Solution")
+      .function("info", &SolutionHandle::info)
+      .function("radiosity", &SolutionHandle::radiosity)
+      .function("unshot", &SolutionHandle::unshot)
+      .function("brightest", &SolutionHandle::brightest)
+      .function("elements", &SolutionHandle::elements)
+      .function("shoot", &SolutionHandle::shoot)
+      .function("edit", &SolutionHandle::edit)
+      .function("csv", &SolutionHandle::csv);
+}
+
+}  // namespace hemitex::web

@@ -1,0 +1,27 @@
+/// Scenes and elements that JavaScript holds, and the settings of drawings and item IDs.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "radiosity/discretization/discretization.h"
+#include "radiosity/form_factors/scene_form_factors.h"
+#include "radiosity/index_maps/id_layout.h"
+#include "radiosity/scene/scene.h"
+#include "web/bindings/values.h"
+
+namespace hemitex::web {
+
+/// The elements of a scene. Copies share both, which do not change.
+struct ElementsHandle {
+  std::shared_ptr<const radiosity::Scene> scene;
+  radiosity::DiscretizationSettings settings;
+  std::shared_ptr<const radiosity::Discretization> discretization;
+};
+
+/// The settings of an object; see DrawingSettings and IdSettings in web/page/core.ts. Throw InputError for values out of
+/// range.
+radiosity::DrawingSettings drawingSettings(const Json& settings);
+radiosity::IdSettings idSettings(const Json& settings);
+
+}  // namespace hemitex::web
