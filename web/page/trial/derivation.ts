@@ -9,7 +9,8 @@ function edge({value, kind}: {value: number; kind: string}): string {
 
 function coverage(sample: number[], triangle: number, draw: number, edges: {value: number; kind: string}[]): string {
   const [x, y] = sample.map((value) => value / 256);
-  return `Triangle ${triangle} of draw ${draw} covers the sample (${x}, ${y}): its edge functions are ${edges.map(edge).join(", ")}.`;
+  const values = edges.map(edge).join(", ");
+  return `Triangle ${triangle} of draw ${draw} covers the sample (${x}, ${y}): its edge functions are ${values}.`;
 }
 
 function depth(inverseDepth: number, next: {triangle: number; difference: number} | null): string {

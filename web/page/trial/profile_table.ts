@@ -9,7 +9,7 @@ function snappingRows(profile: Profile): Row[] {
   const isNearest = profile.snap_rounding === "nearest";
   return [
     ["sub-pixel bits", String(bits), `corners of triangles lie on a grid of 1/${2 ** bits} pixel`],
-    ["snapping", String(profile.snap_rounding), isNearest ? "to the nearest grid point" : "down to the next grid point"],
+    ["snapping", String(profile.snap_rounding), isNearest ? "to the nearest grid point" : "down to a grid point"],
   ];
 }
 

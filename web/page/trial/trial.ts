@@ -93,9 +93,13 @@ export async function runTrial(
   const {profile, faults} = probes.calibrate(await slices.map(probeVectors, draw));
   const drawn = await slices.map(suite, async (vector) => ({vector, found: await draw(vector)}));
   const judge = async (allowed: Profile): Promise<Judgement> => {
-    const answers = await slices.map(drawn, ({vector, found}) => ({vector, found, report: vector.judge(found, allowed)}));
+    const answers = await slices.map(drawn, (answer) => ({
+      ...answer,
+      report: answer.vector.judge(answer.found, allowed),
+    }));
     const each = answers.map(({report}) => countsOf(core, report));
-    return {profile: allowed, answers, counts: core.verdicts().map((_, k) => pixelsOf(each.map((counts) => counts[k])))};
+    const counts = core.verdicts().map((_, k) => pixelsOf(each.map((one) => one[k])));
+    return {profile: allowed, answers, counts};
   };
   const byDefault = await judge({});
   const measured = faults.length === 0 ? await judge(profile) : null;
