@@ -284,7 +284,13 @@ EMSCRIPTEN_BINDINGS(vectors) {
       .function("render", &VectorHandle::render)
       .function("explain", &VectorHandle::explain)
       .function("judge", &judge)
+      .function("judge", optional_override([](const VectorHandle& handle, const Value& found) {
+                  return judge(handle, found, Value::undefined());
+                }))
       .function("minimize", &minimize)
+      .function("minimize", optional_override([](const VectorHandle& handle, const Value& found) {
+                  return minimize(handle, found, Value::undefined());
+                }))
       .function("reduce", &reduce)
       .function("faults", &faultsOf)
       .function("drawFault", &drawFault);
