@@ -15,7 +15,10 @@ export function element<Name extends keyof HTMLElementTagNameMap>(
 
 /** A paragraph of trusted HTML; MathML is allowed. */
 export function text(parent: HTMLElement, html: string): HTMLElement {
-  return element(parent, "p", {innerHTML: html});
+  const paragraph = element(parent, "p", {innerHTML: html});
+  // On narrow screens a formula scrolls, also by keys.
+  for (const formula of paragraph.querySelectorAll<MathMLElement>('math[display="block"]')) formula.tabIndex = 0;
+  return paragraph;
 }
 
 /** Controls side by side. They wrap. */
