@@ -67,14 +67,16 @@ function markNavigation(current: Lesson): void {
     else link.removeAttribute("aria-current");
 }
 
-function addNeighbours(current: Lesson): void {
+/** The title, and links to the lessons before and after. */
+function addHeading(current: Lesson): void {
+  const heading = element(root, "div", {className: "heading"});
+  element(heading, "h2", {textContent: current.title});
   const place = lessons.indexOf(current);
-  const line = element(root, "div", {className: "neighbours"});
-  const link = (to: Lesson | undefined, rel: string, before: string, after: string) => {
-    if (to) element(line, "a", {href: `#${to.id}`, rel, textContent: `${before}${to.title}${after}`});
+  const link = (to: Lesson | undefined, rel: string, text: string) => {
+    if (to) element(heading, "a", {href: `#${to.id}`, rel, title: to.title, textContent: text});
   };
-  link(lessons[place - 1], "prev", "← ", "");
-  link(lessons[place + 1], "next", "", " →");
+  link(lessons[place - 1], "prev", "← back");
+  link(lessons[place + 1], "next", "next →");
 }
 
 let endShown = () => {};
@@ -89,7 +91,7 @@ function show(core: Core, scene: () => Scene): void {
   document.title = `${lesson.title} - hemitex`;
   markNavigation(lesson);
   root.replaceChildren();
-  element(root, "h2", {textContent: lesson.title});
+  addHeading(lesson);
   let endLesson: (() => void) | void;
   endShown = () => {
     state.end();
@@ -100,7 +102,6 @@ function show(core: Core, scene: () => Scene): void {
   } catch (error) {
     showError(error);
   }
-  addNeighbours(lesson);
   window.scrollTo(0, 0);
   root.dataset.shown = lesson.id; // tests wait for it
 }

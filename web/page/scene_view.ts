@@ -141,8 +141,8 @@ export class SceneView {
   onPick(picked: (element: number) => void): void {
     this.picked = picked;
     this.hint.textContent =
-      "Press or drag on a surface: choose an element. Right button, two fingers or arrow keys: turn. " +
-      "Wheel, + or -: zoom. Enter: choose the element at the centre.";
+      "Press or drag: choose an element; Enter: that at the centre. Right button, two fingers, arrow keys: turn. " +
+      "Wheel, + or -: zoom.";
   }
 
   dispose(): void {
