@@ -4,7 +4,7 @@
 const round = Math.fround;
 
 // The vertex in the view of the face, in binary32: [x, y, w, u, v].
-function viewVertex(index, face, eye, arrays) {
+export function viewVertex(index, face, eye, arrays) {
   const d = [0, 1, 2].map(k => round(arrays.positions[3 * index + k] - round(eye[k])));
   const dot = ([a, b, c]) => round(round(round(round(a) * d[0]) + round(round(b) * d[1])) + round(round(c) * d[2]));
   const texcoord = arrays.texcoords.subarray(2 * index, 2 * index + 2);

@@ -1,0 +1,44 @@
+// The derivation of a pixel as a table (reference/conformance/verdict/explanation.h).
+import {element} from "./controls";
+import type {Vector} from "./core";
+
+function digits(value: number): string {
+  return String(Number(value.toPrecision(6)));
+}
+
+function point(numbers: number[]): string {
+  return `(${numbers.map(digits).join(", ")})`;
+}
+
+/** Names of the steps with their values. */
+function stepsOf(explanation: any): [string, string][] {
+  const {derivation, triangles} = explanation;
+  if (!derivation) return [["no triangle", "none covers the sample: background"]];
+  const {corners, sample, edges, inverse_depth, u, v, texel, sums, faces_away, clip} = derivation;
+  const steps: [string, string][] = [
+    ["triangle", `${derivation.triangle} of draw ${derivation.draw}${faces_away ? ", faces away" : ""}`],
+    ["corners x, y, w", corners.map((corner: any) => point(corner.view)).join(" ")],
+    ["snapped", corners.map((corner: any) => point(corner.snapped)).join(" ")],
+    ["sample", point(sample)],
+    ["edge functions", edges.map(({value, kind}: any) => (value ? digits(value) : `0 (${kind})`)).join(", ")],
+    ["1/w", digits(inverse_depth) + (triangles.length > 1 ? `, next ${digits(derivation.runner_up.inverse_depth)}` : "")],
+  ];
+  if (clip.cut_by.length) steps.splice(1, 0, ["clipped", clip.cut_by.join(", ")]);
+  if (texel) {
+    steps.push(["u, v", `${digits(u)}, ${digits(v)}`]);
+    steps.push(["texel", `column ${texel.column}, row ${texel.row} of ${texel.width} × ${texel.height}`]);
+    steps.push(["offset + texel", sums.map((s: any) => `${s.offset} + ${s.texel} → ${s.result}`).join(", ")]);
+  }
+  return steps;
+}
+
+/** Replaces the content of `parent` by the derivation of a pixel; column and row count in the viewport. */
+export function showDerivation(parent: HTMLElement, vector: Vector, face: string, column: number, row: number): void {
+  parent.replaceChildren();
+  const table = element(parent, "table", {className: "derivation"});
+  for (const [name, value] of stepsOf(vector.explain(face, column, row))) {
+    const line = element(table, "tr");
+    element(line, "th", {scope: "row", textContent: name});
+    element(line, "td", {textContent: value});
+  }
+}

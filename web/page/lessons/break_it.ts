@@ -1,0 +1,339 @@
+// Devices with a known fault: what they draw, how the diagnosis names the fault, and hidden ones to be named.
+import {hiddenDevices, type HiddenDevice} from "../break_it/hidden_devices";
+import {Comparison, verdictColours} from "../comparison";
+import {button, choice, columns, element, row, sourceLink, status, text} from "../controls";
+import type {Core, ItemBuffers, Report, Vector} from "../core";
+import {showDerivation} from "../derivation";
+import type {Lesson, Page, State} from "../lesson";
+
+const vectorNames = [
+  "five-faces",
+  "perspective-floor",
+  "layout-r8g8b8a8",
+  "unaligned-clamped-add",
+  "rectangular-map",
+  "magnified",
+  "clamped-coordinates",
+  "crossing",
+  "depth-range",
+  "coplanar-slope",
+  "sample-grid-later-nearer",
+  "shared-vertices",
+  "near-plane-sheet",
+  "backs",
+  "scissors",
+];
+
+function vectorsOf(core: Core): Map<string, Vector> {
+  const suite = new Map(core.suite().map((vector) => [vector.name(), vector]));
+  return new Map(vectorNames.map((name) => [name, suite.get(name)!]));
+}
+
+/** What a device with this fault draws. A vector that cannot show the fault is drawn by the rules. */
+function drawWithFault(vector: Vector, name: string, variant: string): ItemBuffers {
+  const faults = vector.faults();
+  const fault = faults.findIndex((known) => known.name === name);
+  const number = variant ? (faults[fault]?.variants.indexOf(variant) ?? -1) : 0;
+  return fault < 0 || number < 0 ? vector.render() : vector.drawFault(fault, number);
+}
+
+function differing(expected: ItemBuffers, found: ItemBuffers): number[] {
+  return expected.map((ids, face) => ids.reduce((sum, id, k) => sum + (id === found[face][k] ? 0 : 1), 0));
+}
+
+const sum = (numbers: number[]) => numbers.reduce((a, b) => a + b, 0);
+const pixels = (count: number) => `${count} pixel${count === 1 ? "" : "s"}`;
+
+/** The pictures of one face of a vector, and the derivation of the pixel that is selected. */
+class FaceView {
+  private readonly comparison: Comparison;
+  private readonly faceRow: HTMLElement;
+  private readonly selection: {set(text: string): void};
+  private readonly derivation: HTMLElement;
+  private vector!: Vector;
+  private expected!: ItemBuffers;
+  private found!: ItemBuffers;
+  private face = 0;
+
+  constructor(pictures: HTMLElement, details: HTMLElement, private readonly core: Core) {
+    this.faceRow = row(pictures);
+    this.comparison = new Comparison(pictures, 250);
+    legend(pictures);
+    this.selection = status(details, "pixel");
+    this.derivation = element(details, "div");
+    this.comparison.onSelect((column, line) => this.explain(column, line));
+  }
+
+  /** Shows the face with most differences. */
+  show(vector: Vector, expected: ItemBuffers, found: ItemBuffers): void {
+    Object.assign(this, {vector, expected, found});
+    const counts = differing(expected, found);
+    const {faces} = vector.json();
+    this.faceRow.replaceChildren();
+    this.face = counts.indexOf(Math.max(...counts));
+    if (faces.length > 1)
+      choice(
+        this.faceRow,
+        {
+          label: "Face",
+          options: faces.map(({name}, k): [string, string] => [String(k), `${name}: ${counts[k]} differ`]),
+          value: String(this.face),
+        },
+        (value) => {
+          this.face = Number(value);
+          this.draw();
+        },
+      );
+    this.draw();
+  }
+
+  /** Colours the differences by their verdicts. */
+  showVerdicts(report: Report): void {
+    this.draw(report.pixels());
+  }
+
+  private draw(verdicts?: Uint8Array[]): void {
+    const {background, faces} = this.vector.json();
+    const [, , columns, rows] = faces[this.face].scissor;
+    const [expected, found] = [this.expected[this.face], this.found[this.face]];
+    const names = this.core.verdicts();
+    const of = verdicts?.[this.face];
+    this.comparison.show({columns, rows, background, expected, found}, of && ((pixel) => names[of[pixel]]));
+    if (!verdicts) this.selectFirst(columns, expected, found, background);
+  }
+
+  /** A difference where a triangle is visible, if there is one. */
+  private selectFirst(columns: number, expected: Uint32Array, found: Uint32Array, background: number): void {
+    const differs = (id: number, pixel: number) => id !== found[pixel];
+    const visible = expected.findIndex((id, pixel) => id !== background && differs(id, pixel));
+    const first = Math.max(0, visible < 0 ? expected.findIndex(differs) : visible);
+    const [column, line] = [first % columns, Math.floor(first / columns)];
+    this.comparison.select(column, line);
+    this.explain(column, line);
+  }
+
+  private explain(column: number, line: number): void {
+    const face = this.vector.json().faces[this.face];
+    const pixel = line * face.scissor[2] + column;
+    const [expected, found] = [this.expected[this.face][pixel], this.found[this.face][pixel]];
+    const [x, y] = [face.scissor[0] + column, face.scissor[1] + line];
+    const {background} = this.vector.json();
+    const named = (id: number) => (id === background ? "the background" : String(id));
+    this.selection.set(`column ${x}, row ${y} of ${face.name}: expected ${named(expected)}, found ${named(found)}`);
+    showDerivation(this.derivation, this.vector, face.name, x, y);
+  }
+}
+
+function legend(parent: HTMLElement): void {
+  const line = element(parent, "p", {className: "source", textContent: "Difference: "});
+  for (const [name, colour] of Object.entries(verdictColours)) {
+    const mark = element(line, "span", {className: "colour-mark"});
+    mark.style.background = `rgb(${colour.map((value) => 255 * value).join(" ")})`;
+    line.append(`${name} `);
+  }
+}
+
+/** The fault is chosen, and the diagnosis names it. Returns what ends it. */
+function breakDevice(controls: HTMLElement, parent: HTMLElement, view: FaceView, page: Page): () => void {
+  const {core, state} = page;
+  const vectors = vectorsOf(core);
+  let vector = vectors.get(state.text("vector", "five-faces")) ?? vectors.get("five-faces")!;
+  let fault = state.text("fault", "picture upside down");
+  let variant = state.text("variant", "");
+  let timer = 0;
+  const diagnosis = status(parent, "diagnosis");
+  const purpose = text(parent, "");
+  const bar = row(controls);
+  const plain = (name: string): [string, string] => [name, name];
+  choice(bar, {label: "Test vector", options: vectorNames.map(plain), value: vector.name()}, (name) => {
+    vector = vectors.get(name)!;
+    offerFaults();
+    draw();
+  });
+  const [faultBox, variantBox] = [element(bar, "div", {className: "control"}), element(bar, "div", {className: "control"})];
+
+  /** Those that the vector can show. */
+  function offerFaults(): void {
+    const faults = vector.faults();
+    if (!faults.some(({name}) => name === fault)) fault = faults[0].name;
+    faultBox.replaceChildren();
+    choice(faultBox, {label: "Fault", options: faults.map(({name}) => plain(name)), value: fault}, (name) => {
+      fault = name;
+      offerVariants();
+      draw();
+    });
+    offerVariants();
+  }
+
+  function offerVariants(): void {
+    const {variants} = vector.faults().find(({name}) => name === fault)!;
+    if (!variants.includes(variant)) variant = variants[0];
+    variantBox.replaceChildren();
+    variantBox.hidden = variants.length === 1;
+    if (variants.length === 1) return;
+    choice(variantBox, {label: "Variant", options: variants.map(plain), value: variant}, (name) => {
+      variant = name;
+      draw();
+    });
+  }
+
+  function draw(): void {
+    state.set("vector", vector.name());
+    state.set("fault", fault);
+    state.set("variant", variant);
+    const found = drawWithFault(vector, fault, variant);
+    const expected = vector.render();
+    view.show(vector, expected, found);
+    purpose.textContent = `This vector detects: ${vector.catches()}.`;
+    diagnosis.set("Judging ...");
+    clearTimeout(timer);
+    timer = window.setTimeout(() => diagnose(expected, found));
+  }
+
+  function diagnose(expected: ItemBuffers, found: ItemBuffers): void {
+    const differences = sum(differing(expected, found));
+    if (!differences) return diagnosis.set("Every pixel is right: this vector cannot show the fault. Try another one.");
+    const report = vector.judge(found, undefined);
+    view.showVerdicts(report);
+    const errors = sum(report.pixels().map((face) => face.filter((verdict) => core.verdicts()[verdict] === "error").length));
+    diagnosis.set(
+      `${pixels(differences)} differ, ${errors} of them are errors. ` +
+        (report.findings() ? `The diagnosis: ${report.findings()}` : "The diagnosis names no fault."),
+    );
+  }
+
+  offerFaults();
+  draw();
+  return () => clearTimeout(timer);
+}
+
+/** In an order that does not give the right one away. */
+function candidates({fault, others}: HiddenDevice): string[] {
+  return [fault, ...others].sort();
+}
+
+/** A hidden device, and a list of faults to choose from. */
+function findFault(controls: HTMLElement, parent: HTMLElement, view: FaceView, {core, state}: Page): void {
+  const vectors = vectorsOf(core);
+  let number = Math.min(hiddenDevices.length, Math.max(1, Math.round(state.number("device", 1)))) - 1;
+  const bar = row(controls);
+  const names = hiddenDevices.map((_, k): [string, string] => [String(k), `Device ${k + 1}`]);
+  choice(bar, {label: "Broken device", options: names, value: String(number)}, (value) => {
+    number = Number(value);
+    showDevice();
+  });
+  const options = vectorNames.map((name): [string, string] => [name, name]);
+  const drawn = choice(bar, {label: "Test vector that it draws", options, value: vectorNames[0]}, showVector);
+  const form = element(parent, "form", {className: "question"});
+  let vector: Vector;
+
+  function showVector(name: string): void {
+    vector = vectors.get(name)!;
+    const {fault, variant} = hiddenDevices[number];
+    view.show(vector, vector.render(), drawWithFault(vector, fault, variant));
+  }
+
+  function showDevice(): void {
+    state.set("device", number + 1);
+    const device = hiddenDevices[number];
+    drawn.set(device.vector);
+    showVector(device.vector);
+    ask(device);
+  }
+
+  function ask(device: HiddenDevice): void {
+    form.replaceChildren();
+    delete form.dataset.right;
+    const group = element(form, "fieldset");
+    element(group, "legend", {textContent: "Which fault does this device have?"});
+    const list = element(group, "div", {className: "candidates"});
+    for (const name of candidates(device)) {
+      const line = element(list, "label", {className: "line"});
+      element(line, "input", {type: "radio", name: "fault", value: name, required: true});
+      line.append(` ${name}`);
+    }
+    const line = row(group);
+    element(line, "button", {type: "submit", textContent: "Check"});
+    const verdict = element(group, "p", {className: "verdict", role: "status"});
+    verdict.dataset.testid = "answer";
+    form.onsubmit = (event) => {
+      event.preventDefault();
+      answer(device, String(new FormData(form).get("fault")), verdict);
+    };
+  }
+
+  function answer(device: HiddenDevice, guess: string, verdict: HTMLElement): void {
+    const isRight = guess === device.fault;
+    form.dataset.right = String(isRight);
+    if (!isRight) {
+      verdict.textContent = compareGuess(device, guess);
+      return;
+    }
+    const {advice} = vectors.get(device.vector)!.faults().find(({name}) => name === device.fault)!;
+    verdict.textContent = `Right. To mend it: ${advice}. ${device.story} `;
+    element(verdict, "a", {href: device.source, textContent: device.source});
+  }
+
+  /** How far a device with the guessed fault is from this one on the vector that is shown. */
+  function compareGuess({fault, variant}: HiddenDevice, guess: string): string {
+    const device = drawWithFault(vector, fault, variant);
+    const count = sum(differing(drawWithFault(vector, guess, ""), device));
+    return count
+      ? `Not this one: with that fault, ${pixels(count)} of ${vector.name()} would look otherwise. Try again.`
+      : `Not this one, though on ${vector.name()} it would look the same. Try another vector.`;
+  }
+
+  showDevice();
+}
+
+const modes: [value: string, label: string][] = [
+  ["break", "Break a device"],
+  ["find", "Find a hidden fault"],
+];
+
+/** Shows one of the two tasks; returns what ends it. */
+function showTask(parent: HTMLElement, page: Page, mode: string): (() => void) | void {
+  parent.replaceChildren();
+  const controls = element(parent, "div");
+  const [left, right] = columns(parent);
+  const pictures = element(left, "div");
+  const task = element(mode === "find" ? left : right, "div");
+  const view = new FaceView(pictures, element(right, "div"), page.core);
+  return mode === "find" ? findFault(controls, task, view, page) : breakDevice(controls, task, view, page);
+}
+
+function makeModes(parent: HTMLElement, state: State, change: (mode: string) => void): void {
+  const bar = row(parent);
+  const mode = state.text("task", "break");
+  const buttons = modes.map(([value, label]) =>
+    button(bar, label, () => {
+      state.set("task", value);
+      press(value);
+      change(value);
+    }),
+  );
+  const press = (pressed: string) =>
+    buttons.forEach((one, k) => one.setAttribute("aria-pressed", String(modes[k][0] === pressed)));
+  press(mode);
+}
+
+export const lesson: Lesson = {
+  id: "break",
+  title: "6. Break it",
+  show(root, page) {
+    text(
+      root,
+      "A device with a fault draws a test vector. The page compares each pixel with the rules, and draws the vector with " +
+        "about sixty known faults: the one that gives the same item IDs is the diagnosis.",
+    );
+    let end: (() => void) | void;
+    makeModes(root, page.state, (mode) => {
+      end?.();
+      end = showTask(task, page, mode);
+    });
+    const task = element(root, "div");
+    end = showTask(task, page, page.state.text("task", "break"));
+    sourceLink(root, "reference/conformance/diagnosis/fault.h", "The faults");
+    return () => end?.();
+  },
+};

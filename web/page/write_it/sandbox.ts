@@ -1,0 +1,143 @@
+// Runs a rasterizer that a student writes, in a worker that can be ended. The worker is made from a blob, which also a
+// page from disk may do.
+import type {View} from "./views";
+
+export const timeLimit = 2000; // milliseconds per vector
+
+/** An error in the student's code. */
+export class CodeError extends Error {
+  constructor(message: string, readonly line: number | null) {
+    super(message);
+  }
+}
+
+/** Descriptions of the functions that the worker offers. */
+export const helpers: [call: string, what: string][] = [
+  ["roundEven(x)", "the nearest integer; of two, the even one"],
+  ["sum(numbers)", "their sum"],
+  ["mix(p, q, t)", "p + t (q - p), for all keys of p"],
+  ["signOfSum(terms)", "the exact sign of a sum; a term [a, b, c, d] means abc/d"],
+  ["floorOfQuotient(terms, divisors)", "the exact floor of one sum divided by another"],
+];
+
+// Doubles decide where their rounding cannot matter: a sum has at most nine roundings of 2^-53 of the sum of absolute
+// values. Elsewhere fractions of big integers decide.
+const helperCode = `
+function roundEven(x) {
+  const rounded = Math.round(x);
+  return rounded - x === 0.5 && rounded % 2 !== 0 ? rounded - 1 : rounded;
+}
+function sum(numbers) {
+  return numbers.reduce((x, y) => x + y, 0);
+}
+function mix(p, q, t) {
+  return Object.fromEntries(Object.keys(p).map(key => [key, p[key] + t * (q[key] - p[key])]));
+}
+function fraction(x) {
+  if (!Number.isFinite(x)) throw new RangeError(x + " in an exact sum");
+  let divisor = 1n;
+  for (; !Number.isInteger(x); x *= 2) divisor *= 2n;
+  return [BigInt(x), divisor];
+}
+function exactSum(terms) {
+  return terms.reduce(([top, bottom], term) => {
+    const [a, b, c, d] = term.map(fraction);
+    const over = a[0] * b[0] * c[0] * d[1], under = a[1] * b[1] * c[1] * d[0];
+    return [top * under + over * bottom, bottom * under];
+  }, [0n, 1n]);
+}
+function roundedSum(terms) {
+  let total = 0, size = 0;
+  for (const [a, b, c, d] of terms) {
+    const term = a * b * c / d;
+    total += term;
+    size += Math.abs(term);
+  }
+  return {total, error: size * 2 ** -48};
+}
+function signOfSum(terms) {
+  const {total, error} = roundedSum(terms);
+  if (Math.abs(total) > error) return Math.sign(total);
+  const [top, bottom] = exactSum(terms);
+  return top === 0n ? 0 : top > 0n === bottom > 0n ? 1 : -1;
+}
+function floorOfQuotient(terms, divisors) {
+  const over = roundedSum(terms), under = roundedSum(divisors), quotient = over.total / under.total;
+  const error = Math.abs(over.error / under.total) + Math.abs(quotient) * 2 ** -46;
+  if (Math.floor(quotient - error) === Math.floor(quotient + error)) return Math.floor(quotient);
+  const [a, b] = exactSum(terms), [c, d] = exactSum(divisors), top = a * d, bottom = b * c;
+  const whole = top / bottom;
+  return Number(whole * bottom !== top && top < 0n !== bottom < 0n ? whole - 1n : whole);
+}
+onmessage = ({data: views}) => {
+  try {
+    postMessage({answers: views.map(student)});
+  } catch (error) {
+    const place = /blob:[^ )]*:(\\d+):\\d+/.exec(error?.stack ?? "");
+    postMessage({error: String(error), line: place ? Number(place[1]) : null});
+  }
+};`;
+
+type Answer = {answers: unknown[]} | {error: string; line: number | null};
+
+export class Sandbox {
+  private readonly worker: Worker;
+  private readonly address: string;
+  private readonly lines: number;
+  private timer = 0;
+
+  /** @param code defines a function draw(view) */
+  constructor(code: string) {
+    // The code begins in the first line of the blob: lines of messages are those of the editor.
+    const script = `"use strict"; const student = (() => { ${code}\n; return draw; })();${helperCode}`;
+    this.address = URL.createObjectURL(new Blob([script], {type: "text/javascript"}));
+    this.lines = code.trimEnd().split("\n").length;
+    this.worker = new Worker(this.address);
+  }
+
+  /** One answer per view. Throws CodeError. After an error the sandbox is ended. */
+  async draw(views: View[]): Promise<Uint32Array[]> {
+    try {
+      const answer = await this.ask(views);
+      if ("error" in answer) throw this.errorOf(answer.error, answer.line);
+      return answer.answers.map((ids, k) => this.checked(ids, views[k]));
+    } catch (error) {
+      this.end();
+      throw error;
+    }
+  }
+
+  /** Answers that are due never come. */
+  end(): void {
+    clearTimeout(this.timer);
+    this.worker.terminate();
+    URL.revokeObjectURL(this.address);
+  }
+
+  private ask(views: View[]): Promise<Answer> {
+    return new Promise((resolve, reject) => {
+      const late = new CodeError(`Stopped after ${timeLimit / 1000} seconds: does a loop not end?`, null);
+      this.timer = window.setTimeout(() => reject(late), timeLimit);
+      this.worker.onmessage = ({data}: MessageEvent<Answer>) => {
+        clearTimeout(this.timer);
+        resolve(data);
+      };
+      this.worker.onerror = (event) => {
+        event.preventDefault(); // the page shows the message
+        reject(this.errorOf(event.message.replace(/^Uncaught /, ""), event.lineno || null));
+      };
+      this.worker.postMessage(views);
+    });
+  }
+
+  /** Errors behind the end of the code, such as a missing bracket, are shown in its last line. */
+  private errorOf(message: string, line: number | null): CodeError {
+    return new CodeError(message, line && Math.min(line, this.lines));
+  }
+
+  private checked(ids: unknown, {width, height}: View): Uint32Array {
+    if (!(ids instanceof Uint32Array) || ids.length !== width * height)
+      throw new CodeError(`draw must return a Uint32Array of ${width * height} item IDs`, null);
+    return ids;
+  }
+}
