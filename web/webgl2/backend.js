@@ -156,7 +156,7 @@ function deviceName(gl) {
 // positions, texcoords, indices, and `maps`, by file name. It returns the item IDs of each face, row 0 first.
 export function openDevice() {
   const gl = document.createElement("canvas").getContext("webgl2", {antialias: false});
-  if (!gl) throw new Error("WebGL2 is missing");
+  if (!gl) throw new Error("this browser has no WebGL2");
   const program = makeProgram(gl);
   gl.useProgram(program);
   gl.enable(gl.SCISSOR_TEST);

@@ -135,9 +135,10 @@ function recordFace(gpu, scene, encoder, vector, face, arrays) {
   pass.setPipeline(isMirrored(face) ? pipelines.mirrored : pipelines.usual);
   pass.setScissorRect(column, row, width, height);
   pass.setVertexBuffer(0, scene.keep(makeBuffer(device, GPUBufferUsage.VERTEX, vertices)));
-  runs.forEach((run, k) => {
+  runs.forEach(({first, count}, k) => {
+    if (count === 0) return;  // browsers warn of it
     pass.setBindGroup(0, scene.groups[k], [drawStride * k]);
-    pass.draw(run.count, 1, run.first);
+    pass.draw(count, 1, first);
   });
   pass.end();
   const bytesPerRow = Math.ceil(4 * width / rowAlignment) * rowAlignment;
@@ -200,9 +201,9 @@ function deviceName({vendor, architecture, device, description}) {
 
 // A device with the name of the GPU. `drawVector` takes and returns what that of WebGL2 does, as a promise.
 export async function openDevice() {
-  if (!navigator.gpu) throw new Error("WebGPU is missing");
+  if (!navigator.gpu) throw new Error("this browser has no WebGPU");
   const adapter = await navigator.gpu.requestAdapter();
-  if (!adapter) throw new Error("WebGPU finds no GPU");
+  if (!adapter) throw new Error("the WebGPU of this browser finds no GPU");
   const device = await adapter.requestDevice(), bindings = makeBindings(device);
   // Negated y reverses windings: a view that is not mirrored shows fronts counter-clockwise.
   const gpu = {device, bindings, pipelines: {

@@ -8,7 +8,7 @@ function snappingRows(profile: Profile): Row[] {
   const bits = Number(profile.subpixel_bits);
   const isNearest = profile.snap_rounding === "nearest";
   return [
-    ["sub-pixel bits", String(bits), `corners of triangles lie on a grid of 1/${2 ** bits} pixel`],
+    ["sub-pixel bits", String(bits), `corners lie on a grid of 1/${2 ** bits} pixel`],
     ["snapping", String(profile.snap_rounding), isNearest ? "to the nearest grid point" : "down to a grid point"],
   ];
 }
@@ -16,8 +16,8 @@ function snappingRows(profile: Profile): Row[] {
 function fillRuleRow(profile: Profile): Row {
   const isTopLeft = profile.edge_rule === "top-left";
   const meaning = isTopLeft
-    ? "a sample on an edge belongs to the triangle whose top or left edge it is"
-    : "samples on edges do not follow the top-left rule";
+    ? "an edge belongs to the triangle whose top or left edge it is"
+    : "samples on edges follow no top-left rule";
   return ["fill rule", String(profile.edge_rule), meaning];
 }
 
@@ -30,15 +30,15 @@ function fraction(value: number): string {
 function textureRows(profile: Profile): Row[] {
   const roundings = Number(profile.interpolation_error);
   return [
-    ["texel precision", fraction(Number(profile.texel_precision)), "error of a small texture coordinate, in texels"],
-    ["interpolation", roundings.toPrecision(3), "roundings of 2⁻²⁴ in a texture coordinate"],
+    ["texture precision", fraction(Number(profile.texel_precision)), "error of small coordinates, in texels"],
+    ["interpolation", roundings.toPrecision(3), "error of large coordinates, in r"],
   ];
 }
 
 const depthFormats: Record<string, string> = {
-  float32: "depths as 32-bit floats",
-  unorm24: "depths as fine as 24-bit integers, also of floats whose errors are uniform",
-  unorm16: "depths as 16-bit integers",
+  float32: "32-bit floats",
+  unorm24: "as fine as 24-bit integers",
+  unorm16: "16-bit integers",
 };
 
 function rowsOf(profile: Profile): Row[] {

@@ -1,5 +1,5 @@
 // Judges a device: it draws the probes, which give its profile, and the suite, whose item IDs are judged.
-import type {Core, ErrorPixel, ItemBuffers, Profile, Report, Vector} from "../core";
+import type {Core, ItemBuffers, Profile, Report, Vector} from "../core";
 import type {Device} from "./devices";
 
 export interface Answer {
@@ -20,16 +20,15 @@ export interface Judgement {
 
 export interface Trial {
   device: Device;
-  /** Answers to the probes that no device can give. With any, no profile is measured. */
+  /** Answers to the probes that no device can give. With any, the profile is measured in part and not valid. */
   contradictions: string[];
   byDefault: Judgement;
-  /** With the measured profile; null without one. */
-  measured: Judgement | null;
+  measured: Judgement;
   milliseconds: number;
 }
 
-/** The judgement with the measured profile if there is one. */
-export const lastJudgement = (trial: Trial): Judgement => trial.measured ?? trial.byDefault;
+/** Whether the probes give a valid profile. */
+export const isMeasured = ({contradictions}: Trial): boolean => contradictions.length === 0;
 
 export function countsOf(core: Core, report: Report): Counts {
   const {pixels} = report.json();
@@ -102,34 +101,6 @@ export async function runTrial(
     return {profile: allowed, answers, counts};
   };
   const byDefault = await judge({});
-  const measured = faults.length === 0 ? await judge(profile) : null;
+  const measured = await judge(profile);
   return {device, contradictions: faults, byDefault, measured, milliseconds: slices.milliseconds()};
-}
-
-export interface SmallCase {
-  vector: Vector;
-  face: string;
-  error: ErrorPixel;
-  drawings: number; // by the device
-}
-
-const maxDrawings = 300;
-
-/**
- * A vector with fewer triangles and pixels on which the device still fails. Without the device, Vector.minimize gives
- * it. Where the device draws at once, Vector.reduce goes on from there.
- */
-export async function reduceCase(device: Device, {vector, found}: Answer, profile: Profile): Promise<SmallCase> {
-  let drawings = 0;
-  const firstError = (small: Vector, drawn: ItemBuffers) => small.judge(drawn, profile).json().errors[0];
-  const minimal = vector.minimize(found, profile).vector;
-  // The device may draw other item IDs where fewer triangles are drawn.
-  let small = firstError(minimal, await device.draw(minimal)) ? minimal : vector;
-  if (device.isSynchronous)
-    small = small.reduce((smaller) => {
-      drawings++;
-      return firstError(smaller, device.draw(smaller) as ItemBuffers) !== undefined;
-    }, maxDrawings);
-  const error = firstError(small, await device.draw(small));
-  return {vector: small, face: error.face, error, drawings: drawings + 2};
 }
