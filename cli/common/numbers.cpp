@@ -16,13 +16,6 @@ std::optional<Number> parseAll(std::string_view text) {
   return value;
 }
 
-template <typename Number>
-std::string shortest(Number value) {
-  std::array<char, 32> digits{};
-  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
-  return {digits.data(), end};
-}
-
 }  // namespace
 
 std::optional<double> parseNumber(std::string_view text) {
@@ -46,14 +39,11 @@ std::optional<glm::dvec3> parseVector(std::string_view text) {
   return vector;
 }
 
-std::string toText(double value) { return shortest(value); }
-std::string toText(float value) { return shortest(value); }
-
 std::string roundedText(double value) {
   std::array<char, 32> digits{};
   const auto end =
       std::to_chars(digits.data(), digits.data() + digits.size(), value, std::chars_format::general, 4).ptr;
-  return shortest(parseAll<double>({digits.data(), end}).value_or(value));
+  return toText(parseAll<double>({digits.data(), end}).value_or(value));
 }
 
 std::string percentText(double share) { return roundedText(100 * share) + " %"; }

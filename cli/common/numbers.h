@@ -7,6 +7,8 @@
 #include <string>
 #include <string_view>
 
+#include "raster/base/short_number.h"
+
 namespace hemitex::cli {
 
 /// Reads a finite number. The whole text must be the number; nothing for `nan`, `1e999`, `3 ` or `0x1`.
@@ -16,9 +18,7 @@ std::optional<int> parseInteger(std::string_view text);
 /// Reads `x,y,z`, exactly three finite numbers; nothing for any other text.
 std::optional<glm::dvec3> parseVector(std::string_view text);
 
-/// The shortest decimal that reads back to the same number.
-std::string toText(double value);
-std::string toText(float value);
+using raster::toText;
 
 /// A number with four significant digits, for people.
 std::string roundedText(double value);

@@ -5,9 +5,8 @@
 #include <utility>
 
 #include "cli/common/json.h"
-#include "cli/common/table.h"
 #include "radiosity/bands/band_textures.h"
-#include "radiosity/discretization/patch_points.h"
+#include "radiosity/bands/element_table.h"
 #include "radiosity/meshes/vtu_file.h"
 #include "radiosity/pictures/default_camera.h"
 #include "radiosity/pictures/picture_exposure.h"
@@ -16,51 +15,11 @@
 #include "radiosity/scene/surface_names.h"
 #include "radiosity/textures/light_maps.h"
 #include "radiosity/textures/radiosity_texture.h"
+#include "raster/base/csv_table.h"
 #include "raster/base/file_io.h"
 
 namespace hemitex::cli {
 namespace {
-
-/// One row per element, ordered by surface and texel: the column and row of its own texel, centre, normal (of a curved
-/// surface the mean), area and radiosity in W/m^2; with bands its colour, and the radiosity in each band. For a
-/// quadtree leaf the texel is the first with area. `solved` must outlive the table.
-Table elementTable(const SolvedScene& solved) {
-  std::vector<std::vector<glm::dvec3>> means(solved.scene.surfaces.size());  // of curved surfaces
-  for (std::size_t s = 0; s < means.size(); ++s)
-    if (solved.scene.surfaces[s].curvedPart)
-      means[s] = radiosity::meanNormals(solved.scene.surfaces[s], solved.discretization.grids[s]);
-  const auto row = [&solved, means](std::size_t index) -> std::vector<Cell> {
-    const radiosity::Element& element = solved.discretization.elements[index];
-    const auto columns = static_cast<std::uint32_t>(solved.discretization.grids[element.surface].columns);
-    const auto [centre, ofTriangle, triangle] =
-        radiosity::elementCentre(solved.scene, solved.discretization, static_cast<std::uint32_t>(index));
-    const std::vector<glm::dvec3>& ofSurface = means[element.surface];
-    const glm::dvec3 normal =
-        ofSurface.empty() ? ofTriangle : ofSurface[index - solved.discretization.grids[element.surface].firstElement];
-    const glm::dvec3& b = solved.solution.radiosity[index];
-    std::vector<Cell> cells{solved.scene.surfaces[element.surface].name,
-                            std::int64_t{element.texel % columns},
-                            std::int64_t{element.texel / columns},
-                            centre.x,
-                            centre.y,
-                            centre.z,
-                            normal.x,
-                            normal.y,
-                            normal.z,
-                            element.area,
-                            b.r,
-                            b.g,
-                            b.b};
-    for (std::size_t band = 0; solved.bands != nullptr && band < solved.bands->wavelengths.size(); ++band)
-      cells.emplace_back(radiosity::radiosityIn(*solved.bands, band, index));
-    return cells;
-  };
-  std::vector<std::string> columns{"surface", "column", "row",  "x",   "y",   "z",  "nx",
-                                   "ny",      "nz",     "area", "b_r", "b_g", "b_b"};
-  if (solved.bands != nullptr)
-    for (const double wavelength : solved.bands->wavelengths) columns.push_back(radiosity::bandName(wavelength));
-  return {columns, solved.discretization.elements.size(), row};
-}
 
 radiosity::ElementValues displayed(const SolvedScene& solved) {
   return [&solved](std::uint32_t element) {
@@ -162,8 +121,10 @@ std::vector<std::string> writeSolved(const std::filesystem::path& folder, const 
   if (writesFacets(options))
     radiosity::writeVtu(folder / "scene.vtu", radiosity::readFaces(options.scene.file), facetArrays(solved));
   if (!options.noElements)
-    raster::writeFile(folder / "elements.csv",
-                      [&solved](std::ostream& stream) { writeCsv(stream, elementTable(solved)); });
+    raster::writeFile(folder / "elements.csv", [&solved](std::ostream& stream) {
+      raster::writeCsv(stream,
+                       radiosity::elementTable(solved.scene, solved.discretization, solved.solution, solved.bands));
+    });
   return warnings;
 }
 

@@ -261,19 +261,14 @@ py::dict aboutElements(const Elements& elements) {
 
 /// Centres and normals, as `hemitex solve` writes them into elements.csv.
 py::tuple placesOf(const Elements& elements) {
-  const Scene& scene = *elements.scene;
   const radiosity::Discretization& discretization = elements.discretization;
   std::vector<glm::dvec3> centres, normals;
   unlocked([&] {
-    for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s) {
-      const radiosity::Grid& grid = discretization.grids[s];
-      const std::vector<glm::dvec3> means =
-          scene.surfaces[s].curvedPart ? radiosity::meanNormals(scene.surfaces[s], grid) : std::vector<glm::dvec3>();
-      for (const std::uint32_t e : radiosity::elementsOf(grid)) {
-        const radiosity::SurfacePoint point = radiosity::elementCentre(scene, discretization, e);
-        centres.push_back(point.position);
-        normals.push_back(means.empty() ? point.normal : means[e - grid.firstElement]);
-      }
+    const auto placeOf = radiosity::elementPlaces(*elements.scene, discretization);
+    for (std::uint32_t e = 0; e < discretization.elements.size(); ++e) {
+      const radiosity::SurfacePoint place = placeOf(e);
+      centres.push_back(place.position);
+      normals.push_back(place.normal);
     }
   });
   return py::make_tuple(toArray(std::move(centres)), toArray(std::move(normals)));

@@ -1,17 +1,14 @@
 #include "radiosity/bands/band_textures.h"
 
-#include <charconv>
 #include <cstddef>
 
 #include "radiosity/images/channel_image.h"
 #include "radiosity/textures/radiosity_texture.h"
+#include "raster/base/short_number.h"
 
 namespace hemitex::radiosity {
 
-std::string bandName(double wavelength) {
-  char digits[32];
-  return "b_" + std::string(digits, std::to_chars(digits, digits + sizeof digits, wavelength).ptr);
-}
+std::string bandName(double wavelength) { return "b_" + raster::toText(wavelength); }
 
 void writeBandTextures(const std::filesystem::path& folder, const Discretization& discretization,
                        const TextureLayout& layout, const BandSolution& bands, const std::vector<glm::dvec3>& colours) {

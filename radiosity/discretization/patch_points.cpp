@@ -161,4 +161,16 @@ std::vector<glm::dvec3> meanNormals(const Surface& surface, const Grid& grid) {
   return sums;
 }
 
+std::function<SurfacePoint(std::uint32_t)> elementPlaces(const Scene& scene, const Discretization& discretization) {
+  std::vector<std::vector<glm::dvec3>> means(scene.surfaces.size());  // of curved surfaces
+  for (std::size_t s = 0; s < means.size(); ++s)
+    if (scene.surfaces[s].curvedPart) means[s] = meanNormals(scene.surfaces[s], discretization.grids[s]);
+  return [&scene, &discretization, means](std::uint32_t element) {
+    const std::uint32_t surface = discretization.elements[element].surface;
+    SurfacePoint place = elementCentre(scene, discretization, element);
+    if (!means[surface].empty()) place.normal = means[surface][element - discretization.grids[surface].firstElement];
+    return place;
+  };
+}
+
 }  // namespace hemitex::radiosity

@@ -1,6 +1,8 @@
 /// The points that a patch shoots from: its centre, or the centres of the blocks that it is divided into.
 #pragma once
 
+#include <cstdint>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -45,6 +47,11 @@ SurfacePoint elementCentre(const Scene& scene, const Discretization& discretizat
 
 /// The unit mean normals of the elements of a surface, by area; one per element. 0 where normals cancel.
 std::vector<glm::dvec3> meanNormals(const Surface& surface, const Grid& grid);
+
+/// The centres of elements with their normals; on a curved surface the mean normals. The scene and the discretization
+/// must outlive the function. Any thread may call it.
+std::function<SurfacePoint(std::uint32_t element)> elementPlaces(const Scene& scene,
+                                                                 const Discretization& discretization);
 
 /// A point that a part of the area of a surface shoots from.
 struct ShootingBlock {

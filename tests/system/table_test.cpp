@@ -33,13 +33,3 @@ TEST_CASE("writeMarkdown rounds to three digits, but keeps all before the point,
   writeMarkdown(text, "Bytes:", {{{"rows", 12345.6}}, {{"rows", -1234.5}}, {{"rows", 0.12345}}, {{"rows", 12345}}});
   CHECK(text.str() == "Bytes:\n\n| rows |\n| --- |\n| 12346 |\n| -1235 |\n| 0.123 |\n| 12345 |\n\n");
 }
-
-TEST_CASE("writeCsv writes the rows of a long table in order", "[table]") {
-  // More rows than are made at once: 64 blocks of 1024, and a rest.
-  const Table table{{"row"}, 150000, [](std::size_t row) { return std::vector<Cell>{std::int64_t(row)}; }};
-  std::ostringstream csv;
-  writeCsv(csv, table);
-  std::string expected = "row\n";
-  for (int row = 0; row < 150000; ++row) expected += std::to_string(row) + "\n";
-  CHECK(csv.str() == expected);
-}

@@ -93,8 +93,9 @@ TEST_CASE("borderEdges of equal values correct nothing; filters without a kernel
 
 // The facets of the ball are 7 degrees wide, and so are the elements: the mean normal of an element lies within half of
 // both of the direction to its centre.
-TEST_CASE("meanNormals of a ball point away from its centre", "[centres]") {
+TEST_CASE("meanNormals of a ball point away from its centre, and elementPlaces have them", "[centres]") {
   const Ball ball(16);
+  const auto placeOf = elementPlaces(ball.scene, ball.discretization);
   for (std::uint32_t s = 0; s < ball.scene.surfaces.size(); ++s) {
     const Grid& grid = ball.discretization.grids[s];
     const std::vector<glm::dvec3> normals = meanNormals(ball.scene.surfaces[s], grid);
@@ -103,6 +104,8 @@ TEST_CASE("meanNormals of a ball point away from its centre", "[centres]") {
       const glm::dvec3 centre = elementCentre(ball.scene, ball.discretization, e).position;
       CHECK(glm::length(normals[e - grid.firstElement]) == Approx(1));
       CHECK(glm::dot(normals[e - grid.firstElement], glm::normalize(centre)) > 0.985);
+      CHECK(placeOf(e).position == centre);
+      CHECK(placeOf(e).normal == normals[e - grid.firstElement]);
     }
   }
 }
