@@ -1,7 +1,7 @@
 /// Elements as polygons: the triangles, cut along the texels of an index map. Rays start on these pieces, and closed
 /// forms use them.
 ///
-/// Positions are in the frame of the scene (see ray_caster.h). Triangles are numbered through the scene, surface by
+/// Positions are in the frame of the scene (see ray_meeting.h). Triangles are numbered through the scene, surface by
 /// surface.
 #pragma once
 

@@ -1,13 +1,10 @@
 #include "reference/truth/rays/ray_caster.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <limits>
 #include <vector>
 
-#include "reference/truth/closed_forms/surface_pieces.h"
 #include "reference/truth/rays/embree_scene.h"
+#include "reference/truth/rays/ray_meeting.h"
 
 namespace hemitex::reference {
 namespace {
@@ -16,49 +13,8 @@ namespace {
 /// so that binary32 starts, directions and boxes each have an error of at most 2^-24.
 constexpr float boxMargin = 0x1p-20F;
 
-/// The rounding error of a product of a unit direction and two vectors, over their lengths.
-constexpr double edgeRounding = 0x1p-50;
-
-struct Target {
-  std::array<glm::dvec3, 3> corner;  ///< in the frame of the scene
-  bool hasTwin = false;              ///< rays pass through its back
-};
-
-/// A ray and its hit during a query. Embree passes it to `ask` by the address of the embedded context.
-struct Query : RTCIntersectContext {
-  Ray ray;
-  std::optional<RayHit> hit;
-  double distance = std::numeric_limits<double>::infinity();  ///< to the hit, in epsilons
-};
-
-struct Meeting {
-  RayHit hit;
-  double distance;  ///< in epsilons
-};
-
-/// The doubled area, seen along the ray, between its start and an edge from `a` to `b` (relative to the start). The
-/// other triangle at the edge gets exactly the opposite value. Values within the rounding error are set to 0, so that a
-/// ray through a corner also meets a triangle.
-double edgeArea(const glm::dvec3& direction, const glm::dvec3& a, const glm::dvec3& b) {
-  const double area = glm::dot(direction, glm::cross(a, b));
-  return area * area > edgeRounding * edgeRounding * glm::dot(a, a) * glm::dot(b, b) ? area : 0;
-}
-
-/// The hit of a ray and a triangle including its edges. Inside, the three areas have the same sign. Their sum is the
-/// component of the direction along the normal.
-std::optional<Meeting> meet(const Ray& ray, const Target& target, std::uint32_t number) {
-  const glm::dvec3 a = target.corner[0] - ray.start, b = target.corner[1] - ray.start, c = target.corner[2] - ray.start;
-  const double atA = edgeArea(ray.direction, b, c), atB = edgeArea(ray.direction, c, a),
-               atC = edgeArea(ray.direction, a, b);
-  const double sum = (atA + atB) + atC;
-  const bool front = sum < 0;
-  const bool inside = front ? std::max({atA, atB, atC}) <= 0 : std::min({atA, atB, atC}) >= 0;
-  if (sum == 0 || !inside || (!front && target.hasTwin)) return std::nullopt;
-  const glm::dvec3 normal = glm::cross(b - a, c - a);
-  const double distance = std::nearbyint(glm::dot(a, normal) / glm::dot(ray.direction, normal) / rayEpsilon);
-  if (!(distance > 0 && std::isfinite(distance))) return std::nullopt;
-  return Meeting{{number, glm::dvec2(atB, atC) / sum, front}, distance};
-}
+/// Embree passes it to `ask` by the address of the context.
+struct Query : RTCIntersectContext, RayQuery {};
 
 void giveBounds(const RTCBoundsFunctionArguments* arguments) {
   const auto& corner = static_cast<const Target*>(arguments->geometryUserPtr)[arguments->primID].corner;
@@ -71,22 +27,10 @@ void giveBounds(const RTCBoundsFunctionArguments* arguments) {
 void ask(const RTCIntersectFunctionNArguments* arguments) {
   auto& query = *static_cast<Query*>(arguments->context);
   const std::uint32_t number = arguments->primID;
-  if (number == query.ray.triangle) return;
-  const auto met = meet(query.ray, static_cast<const Target*>(arguments->geometryUserPtr)[number], number);
-  if (!met || met->distance > query.distance) return;
-  if (met->distance == query.distance && query.hit->triangle < number) return;
-  query.hit = met->hit;
-  query.distance = met->distance;
+  if (!query.ask(static_cast<const Target*>(arguments->geometryUserPtr)[number], number)) return;
   // A single ray is passed as a packet of one, which has the layout of a single ray.
   reinterpret_cast<RTCRayHit*>(arguments->rayhit)->ray.tfar =
-      static_cast<float>(met->distance * rayEpsilon) + boxMargin;
-}
-
-std::vector<Target> targetsOf(const radiosity::Scene& scene) {
-  std::vector<Target> targets;
-  for (const SceneTriangle& triangle : sceneTriangles(scene))
-    targets.push_back({inFrame(scene, *triangle.triangle), triangle.hasTwin});
-  return targets;
+      static_cast<float>(query.distance * rayEpsilon) + boxMargin;
 }
 
 /// `targets` must live as long as the tree.

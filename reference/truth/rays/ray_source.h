@@ -9,7 +9,7 @@
 /// Vertical lines through the corners of all pieces divide a texel into slabs, and each piece into trapezoids
 /// (trapezoidal decomposition). In a slab, the length of a line's parts changes linearly with its place.
 ///
-/// Positions are in the frame of the scene (see ray_caster.h).
+/// Positions are in the frame of the scene (see ray_meeting.h).
 #pragma once
 
 #include <array>

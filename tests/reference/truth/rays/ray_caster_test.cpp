@@ -7,6 +7,7 @@
 #include <limits>
 #include <random>
 
+#include "radiosity/scene/load_scene.h"
 #include "raster/base/parallel.h"
 #include "reference/truth/closed_forms/surface_pieces.h"
 #include "tests/support/hand_scenes.h"
@@ -225,6 +226,32 @@ TEST_CASE("RayCaster::firstHit in two-sided scenes passes backs and meets their 
   REQUIRE(twoSided);
   CHECK(twoSided->triangle / 2 == 1);
   CHECK(twoSided->front);
+}
+
+TEST_CASE("RayCaster::firstHit equals nearestHit, which asks every triangle, on the Cornell box", "[rays]") {
+  const Scene scene = loadScene(HEMITEX_DATA "/cornell-box.obj");
+  const std::vector<Target> targets = targetsOf(scene);
+  const RayCaster rays(scene);
+  Random random;
+  int met = 0;
+  for (int i = 0; i < 20000; ++i) {
+    // From a random point of a triangle: half of the rays in any direction, the others to a corner, where triangles
+    // meet.
+    const auto from = static_cast<std::uint32_t>(random.bits() % targets.size());
+    const std::array<glm::dvec3, 3>& corner = targets[from].corner;
+    const double u = random.uniform(0, 1), v = random.uniform(0, 1 - u);
+    const glm::dvec3 start = corner[0] + u * (corner[1] - corner[0]) + v * (corner[2] - corner[0]);
+    const glm::dvec3 end = targets[random.bits() % targets.size()].corner[random.bits() % 3];
+    const Ray ray{start, i % 2 == 0 ? random.direction() : glm::normalize(end - start), from};
+    const std::optional<RayHit> hit = rays.firstHit(ray), nearest = nearestHit(targets, ray);
+    REQUIRE(hit.has_value() == nearest.has_value());
+    if (!hit) continue;
+    ++met;
+    CHECK(hit->triangle == nearest->triangle);
+    CHECK(hit->weights == nearest->weights);
+    CHECK(hit->front == nearest->front);
+  }
+  CHECK(met > 10000);
 }
 
 TEST_CASE("RayCaster leaves the floating-point mode of all threads unchanged", "[rays]") {
