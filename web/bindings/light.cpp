@@ -10,14 +10,14 @@
 #include <utility>
 #include <vector>
 
+#include "radiosity/bands/element_table.h"
 #include "radiosity/discretization/patch_points.h"
 #include "radiosity/scene/load_scene.h"
 #include "radiosity/solver/dynamic_solution.h"
 #include "radiosity/solver/progressive_solver.h"
 #include "radiosity/solver/shooting_state.h"
-#include "radiosity/bands/element_table.h"
-#include "raster/base/input_error.h"
 #include "raster/base/csv_table.h"
+#include "raster/base/input_error.h"
 #include "web/bindings/values.h"
 
 namespace hemitex::web {
@@ -133,7 +133,9 @@ class SolutionHandle {
 
   void solve(bool isEditable) {
     radiosity::Discretization divided = *elements_.discretization;
-    const auto layOut = [ids = ids_](const radiosity::Discretization& edited) { return radiosity::layOut(edited, ids); };
+    const auto layOut = [ids = ids_](const radiosity::Discretization& edited) {
+      return radiosity::layOut(edited, ids);
+    };
     radiosity::SceneFormFactors drawn(*elements_.scene, divided, layOut(divided), drawing_);
     radiosity::RowCache ofViews(solver_.rowCacheBytes / 2);
     radiosity::SolveInput input{.scene = *elements_.scene,

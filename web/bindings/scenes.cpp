@@ -16,8 +16,8 @@
 #include "radiosity/scene/surface_names.h"
 #include "raster/base/file_io.h"
 #include "raster/base/input_error.h"
-#include "raster/interface/item_id.h"
 #include "raster/interface/item_buffer_renderer.h"
+#include "raster/interface/item_id.h"
 #include "reference/truth/rows/scene_rows.h"
 #include "web/bindings/handles.h"
 #include "web/bindings/light.h"
@@ -54,9 +54,9 @@ SceneHandle loadScene(const Value& files, const std::string& main) {
          emscripten::vecFromJSArray<std::string>(Value::global("Object").call<Value>("keys", files)))
       raster::writeFile(removed.folder / name, files[name].as<std::string>());
     const std::filesystem::path file = removed.folder / main;
-    SceneHandle handle{std::make_shared<const radiosity::Scene>(
-                           radiosity::loadScene(file, {.sides = radiosity::Sides::TwoOfSheets})),
-                       {}};
+    SceneHandle handle{
+        std::make_shared<const radiosity::Scene>(radiosity::loadScene(file, {.sides = radiosity::Sides::TwoOfSheets})),
+        {}};
     std::filesystem::path view = file;
     view.replace_extension(".view.json");
     handle.camera = std::filesystem::exists(view) ? Json::parse(raster::readFile(view))
@@ -125,8 +125,7 @@ Value geometryOf(const ElementsHandle& handle, unsigned number) {
     std::vector<float> positions, charts;
     for (const radiosity::Triangle& triangle : surface.triangles)
       for (std::size_t corner = 0; corner < 3; ++corner) {
-        for (int axis = 0; axis < 3; ++axis)
-          positions.push_back(static_cast<float>(triangle.position[corner][axis]));
+        for (int axis = 0; axis < 3; ++axis) positions.push_back(static_cast<float>(triangle.position[corner][axis]));
         for (int axis = 0; axis < 2; ++axis) charts.push_back(static_cast<float>(triangle.chart[corner][axis]));
       }
     std::vector<std::uint32_t> elementOfTexel = grid.elementOfTexel;
@@ -153,11 +152,9 @@ Value areasOf(const ElementsHandle& handle) {
 Value centreOf(const ElementsHandle& handle, unsigned element) {
   return guarded([&] {
     const std::uint32_t surface = handle.discretization->elements.at(element).surface;
-    const radiosity::SurfacePoint point =
-        radiosity::elementCentre(*handle.scene, *handle.discretization, element);
-    return toValue({{"position", web::toJson(point.position)},
-                    {"normal", web::toJson(point.normal)},
-                    {"surface", surface}});
+    const radiosity::SurfacePoint point = radiosity::elementCentre(*handle.scene, *handle.discretization, element);
+    return toValue(
+        {{"position", web::toJson(point.position)}, {"normal", web::toJson(point.normal)}, {"surface", surface}});
   });
 }
 
@@ -209,8 +206,9 @@ std::vector<std::int32_t> elementsIn(const raster::ItemBuffer& buffer, const Ele
   std::vector<std::int32_t> numbers;
   for (const raster::ItemId id : buffer.ids) {
     const auto element = radiosity::elementOf(from.discretization, from.layout, id);
-    numbers.push_back(element ? static_cast<std::int32_t>(*element)
-                              : id == raster::backId(from.layout.format) ? -2 : -1);
+    numbers.push_back(element                                    ? static_cast<std::int32_t>(*element)
+                      : id == raster::backId(from.layout.format) ? -2
+                                                                 : -1);
   }
   return numbers;
 }
@@ -228,8 +226,7 @@ std::vector<double> weightsOf(const radiosity::Projection& projection, std::size
 /// The form factors of all elements.
 std::vector<double> dense(const radiosity::FormFactorRow& row, std::size_t elements) {
   std::vector<double> factors(elements);
-  for (std::size_t k = 0; k < row.elements.size(); ++k)
-    factors[row.elements[k]] = radiosity::formFactor(row.shares[k]);
+  for (std::size_t k = 0; k < row.elements.size(); ++k) factors[row.elements[k]] = radiosity::formFactor(row.shares[k]);
   return factors;
 }
 
@@ -279,8 +276,8 @@ raster::DrawList without(const raster::DrawList& list, const std::vector<std::ui
 VectorHandle vectorOver(const ElementsHandle& handle, unsigned element, const Value& settings) {
   return guarded([&] {
     const ElementView from(handle, element, jsonOf(settings));
-    reference::TestVector vector = reference::makeVector("hemicube", "", without(from.list, from.view.skipped),
-                                                         from.view.faces);
+    reference::TestVector vector =
+        reference::makeVector("hemicube", "", without(from.list, from.view.skipped), from.view.faces);
     vector.origin = from.scene.origin;
     return VectorHandle(std::move(vector));
   });

@@ -19,8 +19,8 @@ struct ElementsHandle {
   std::shared_ptr<const radiosity::Discretization> discretization;
 };
 
-/// The settings of an object; see DrawingSettings and IdSettings in web/page/core.ts. Throw InputError for values out of
-/// range.
+/// The settings of an object; see DrawingSettings and IdSettings in web/page/core.ts. Throw InputError for values out
+/// of range.
 radiosity::DrawingSettings drawingSettings(const Json& settings);
 radiosity::IdSettings idSettings(const Json& settings);
 

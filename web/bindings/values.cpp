@@ -27,8 +27,7 @@ glm::dvec3 vectorOf(const Json& json) {
 
 Value toArrays(const std::vector<raster::ItemBuffer>& buffers) {
   Value arrays = Value::array();
-  for (const raster::ItemBuffer& buffer : buffers)
-    arrays.call<void>("push", toArray("Uint32Array", buffer.ids));
+  for (const raster::ItemBuffer& buffer : buffers) arrays.call<void>("push", toArray("Uint32Array", buffer.ids));
   return arrays;
 }
 

@@ -1,10 +1,11 @@
 /// Test vectors, verdicts, diagnoses and calibration for JavaScript; web/page/core.ts has the types.
 #include <emscripten/bind.h>
 
+#include <algorithm>
+#include <cstring>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <utility>
 
 #include "raster/base/file_io.h"
@@ -94,21 +95,25 @@ struct ReportHandle {
 
 std::vector<reference::Report> reportsOf(const Value& handles) {
   std::vector<reference::Report> reports;
-  for (const ReportHandle& handle : emscripten::vecFromJSArray<ReportHandle>(handles)) reports.push_back(*handle.report);
+  for (const ReportHandle& handle : emscripten::vecFromJSArray<ReportHandle>(handles))
+    reports.push_back(*handle.report);
   return reports;
 }
 
 ReportHandle judge(const VectorHandle& handle, const Value& found, const Value& profile) {
   return guarded([&] {
     const auto buffers = buffersOf(found, reference::facesOf(*handle.vector));
-    return ReportHandle{handle.vector, std::make_shared<const reference::Report>(reference::reportOn(
-                                           *handle.vector, buffers, profileOf(profile)))};
+    return ReportHandle{handle.vector, std::make_shared<const reference::Report>(
+                                           reference::reportOn(*handle.vector, buffers, profileOf(profile)))};
   });
 }
 
 Json toJson(const reference::ErrorPixel& error) {
-  return {{"face", error.face},         {"column", error.column}, {"row", error.row},
-          {"expected", error.expected}, {"found", error.found}};
+  return {{"face", error.face},
+          {"column", error.column},
+          {"row", error.row},
+          {"expected", error.expected},
+          {"found", error.found}};
 }
 
 Value minimize(const VectorHandle& handle, const Value& found, const Value& profile) {
@@ -222,13 +227,15 @@ std::string commonFault(const Value& handles) {
 /// The vectors are those of the reports, whose files a record names by their hashes.
 std::string record(const std::string& device, const std::string& driver, const Value& profile, const Value& handles) {
   return guarded([&] {
-    reference::ConformanceRecord record{.device = device, .driver = driver, .profile = profileOf(profile), .vectors = {}};
+    reference::ConformanceRecord record{
+        .device = device, .driver = driver, .profile = profileOf(profile), .vectors = {}};
     for (const ReportHandle& handle : emscripten::vecFromJSArray<ReportHandle>(handles)) {
       const Folder folder(handle.vector->name);
       reference::writeVector(folder.path(), *handle.vector, reference::render(*handle.vector));
       record.vectors.push_back(reference::recordOf(*handle.report, folder.path()));
     }
-    std::sort(record.vectors.begin(), record.vectors.end(), [](const auto& a, const auto& b) { return a.name < b.name; });
+    std::sort(record.vectors.begin(), record.vectors.end(),
+              [](const auto& a, const auto& b) { return a.name < b.name; });
     return reference::toJson(record);
   });
 }
@@ -251,7 +258,8 @@ Value VectorHandle::arrays() const {
     Value maps = Value::object(), arrays = Value::object();
     for (const Json& draw : json.at("draws"))
       if (const auto map = draw.find("index_map"); map != draw.end() && map->is_string())
-        maps.set(map->get<std::string>(), arrayOf<std::uint32_t>("Uint32Array", folder.path() / map->get<std::string>()));
+        maps.set(map->get<std::string>(),
+                 arrayOf<std::uint32_t>("Uint32Array", folder.path() / map->get<std::string>()));
     const auto file = [&](const char* key) { return folder.path() / json.at(key).get<std::string>(); };
     arrays.set("positions", arrayOf<float>("Float32Array", file("positions")));
     arrays.set("texcoords", arrayOf<float>("Float32Array", file("texcoords")));

@@ -1,8 +1,8 @@
 /// What hemitex has from packages that the page lacks: VTK's XML files are refused, and the page computes SHA-256.
 #include "radiosity/meshes/vtk_xml_file.h"
+#include "raster/base/file_io.h"
 #include "raster/base/input_error.h"
 #include "reference/base/hashes/sha256.h"
-#include "raster/base/file_io.h"
 #include "web/bindings/values.h"
 
 namespace hemitex {

@@ -1,5 +1,5 @@
-/// What libc++ 13 lacks of C++20, as far as hemitex uses it. Emscripten 3.1.6 has that library; the compiler includes this
-/// file before each source. Reading and writing numbers gives the same results as libstdc++.
+/// What libc++ 13 lacks of C++20, as far as hemitex uses it. Emscripten 3.1.6 has that library; the compiler includes
+/// this file before each source. Reading and writing numbers gives the same results as libstdc++.
 #pragma once
 
 #include <strings.h>
@@ -53,9 +53,11 @@ inline from_chars_result from_chars(const char* first, const char* last, double&
   const auto isName = [&](const char* name) {
     return static_cast<size_t>(last - digits) >= strlen(name) && strncasecmp(digits, name, strlen(name)) == 0;
   };
-  const bool isNumber = digits != last && (isdigit(*digits) || (*digits == '.' && digits + 1 != last && isdigit(digits[1])));
+  const bool isNumber =
+      digits != last && (isdigit(*digits) || (*digits == '.' && digits + 1 != last && isdigit(digits[1])));
   if (!isNumber && !isName("inf") && !isName("nan")) return {first, errc::invalid_argument};
-  const string text(first, digits != last && *digits == '0' && digits + 1 != last && (digits[1] | 32) == 'x' ? digits + 1 : last);
+  const string text(
+      first, digits != last && *digits == '0' && digits + 1 != last && (digits[1] | 32) == 'x' ? digits + 1 : last);
   char* end = nullptr;
   errno = 0;
   const double read = strtod(text.c_str(), &end);
