@@ -1,10 +1,10 @@
 // Colours of elements: a hue per surface; lightness grows with the index of the texel, and neighbours differ.
 import {okLch, type Rgb} from "../colours";
 
-/** `hue` counts from 0; 16 hues are distinct. */
+/** `hue` in turns of OKLab. */
 export function texelColour(hue: number, columns: number, rows: number, index: number): Rgb {
   const odd = ((index % columns) + Math.floor(index / columns)) % 2;
-  return okLch(0.6 + (0.2 * index) / (columns * rows) + 0.07 * odd, 0.1, (0.72 + (11 / 16) * hue) % 1);
+  return okLch(0.6 + (0.2 * index) / (columns * rows) + 0.07 * odd, 0.1, hue);
 }
 
 /** RGBA in bytes. */

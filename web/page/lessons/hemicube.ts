@@ -6,31 +6,46 @@ import type {Lesson, State} from "../lesson";
 import {PixelCanvas} from "../pixels";
 import {SceneView} from "../scene_view";
 import {bytesOf, cssColour, texelColour} from "./element_colours";
+import {FoldedHemicube} from "./folded_hemicube";
 import {Texels, type Texel} from "./texel_names";
 import {unfoldedHemicube, type FacePixel} from "./unfolded_hemicube";
 
 const texelsPerSide = 8;
 const faceNames = ["top", "side +x", "side +y", "side -x", "side -y"];
-const noElement = bytesOf([0.1, 0.1, 0.12]);
+const hues: Record<string, number> = {
+  floor: 0.72,
+  ceiling: 0.6,
+  "wall-back": 0.25,
+  "wall-green": 0.4,
+  "wall-red": 0.07,
+  "short-block": 0.95,
+  "tall-block": 0.83,
+  light: 0.3,
+};
+const noElement: Rgb = [0.24, 0.24, 0.27];
 const palette = Array.from({length: 256}, (_, level) => valueColour(level / 255));
 const paletteBytes = palette.map(bytesOf);
 
 const style = `
+.hemicube .scene-view { height: min(400px, 100vw); }
+.hemicube-cross { position: relative; }
 .hemicube-result { display: flex; flex-wrap: wrap; gap: 0 20px; }
 .hemicube table { font-variant-numeric: tabular-nums; }
 .hemicube td { text-align: right; }
 .hemicube th { font-weight: normal; }
-.hemicube th, .hemicube td { border-width: 0 0 1px; }
+.hemicube th, .hemicube td { padding: 1px 8px; border-width: 0; }
+.hemicube tr[data-name="sum"] > * { font-weight: bold; border-width: 1px 0 0; }
 .hemicube tr.current > * { background: var(--accent); color: var(--on-accent); }
 .hemicube .swatch { display: inline-block; width: 0.8em; height: 0.8em; margin-right: 6px; }
 `;
 
 const introduction = `A hemicube is half a cube over a patch (Cohen and Greenberg 1985). The renderer draws the scene on
-its five faces. A pixel's <em>delta form factor</em> is the share of the patch's light that passes through it. For a pixel
-of area ΔA at (x, y) on the top face, at distance 1,
-<math><mi>ΔF</mi><mo>=</mo><mfrac><mi>ΔA</mi><mrow><mi>π</mi><msup><mrow><mo>(</mo><msup><mi>x</mi><mn>2</mn></msup>
-<mo>+</mo><msup><mi>y</mi><mn>2</mn></msup><mo>+</mo><mn>1</mn><mo>)</mo></mrow><mn>2</mn></msup></mrow></mfrac></math>.
-The form factor to a surface is the sum over the pixels that show it.`;
+its five faces. The share of the patch's light that passes through a pixel is its <em>delta form factor</em>. For a
+pixel of area ΔA at (x, y) on the top face, at distance 1, it is
+<math><mi>ΔF</mi><mo>=</mo><mi>ΔA</mi><mo>/</mo><mo stretchy="false">(</mo><mi>π</mi><msup><mrow>
+<mo stretchy="false">(</mo><msup><mi>x</mi><mn>2</mn></msup><mo>+</mo><msup><mi>y</mi><mn>2</mn></msup><mo>+</mo>
+<mn>1</mn><mo stretchy="false">)</mo></mrow><mn>2</mn></msup><mo stretchy="false">)</mo></math>.
+The form factor to a surface is the sum over its pixels.`;
 
 const sumOf = (values: Float64Array) => values.reduce((a, b) => a + b, 0);
 const maximumOf = (values: Float64Array) => values.reduce((a, b) => Math.max(a, b), 0);
@@ -49,18 +64,19 @@ class HemicubeLesson {
   private readonly colours: Rgb[]; // of elements
   private readonly sceneView: SceneView;
   private readonly picture: PixelCanvas;
+  private readonly folded: FoldedHemicube;
   private readonly table: HTMLElement;
-  private readonly sum: {set(text: string): void};
   private readonly pixel: {set(text: string): void};
   private readonly command: {set(text: string): void};
   private showFrom = () => {};
   private from: Texel;
-  private source: number;
+  private source!: number; // the element of `from`
   private resolution: number;
   private byShare: boolean;
+  private foldedBy: number; // degrees
   private cross: (FacePixel | undefined)[] = [];
   private pointed: [column: number, row: number] = [0, 0];
-  private view: HemicubeView;
+  private view!: HemicubeView;
 
   constructor(root: HTMLElement, scene: Scene, private readonly state: State) {
     this.elements = scene.discretize({texels: texelsPerSide});
@@ -68,11 +84,10 @@ class HemicubeLesson {
     const {surfaces, elements} = this.texels.info;
     this.surfaces = [...new Set(surfaces.map((_, surface) => this.texels.whole(surface)))];
     this.colours = Array.from({length: elements}, (_, element) => this.colourOf(element));
-    this.from = this.texels.named(state.text("from", "")) ?? {surface: 0, column: 4, row: 4};
-    this.source = this.texels.element(this.from)!;
+    this.from = this.texels.named(state.text("from", "")) ?? {surface: 0, column: 3, row: 1};
     this.resolution = state.number("resolution", 64);
     this.byShare = state.text("colours", "elements") === "shares";
-    this.view = this.elements.hemicube(this.source, {resolution: this.resolution});
+    this.foldedBy = state.number("fold", 0);
 
     element(root, "style", {textContent: style});
     const [left, right] = columns(root);
@@ -80,18 +95,19 @@ class HemicubeLesson {
     this.sceneView.onPick((picked) => this.move(this.texels.of(picked)));
     this.addPlace(row(left));
     this.addSettings(row(left));
+    this.command = status(left, "hemicube-command");
     text(right, introduction);
     const result = element(right, "div", {className: "hemicube-result"});
-    this.picture = new PixelCanvas(element(result, "div"), {
+    const box = element(result, "div", {className: "hemicube-cross"});
+    this.picture = new PixelCanvas(box, {
       label: "The five faces of the hemicube, unfolded",
       columns: 2 * this.resolution,
       rows: 2 * this.resolution,
       size: 320,
     });
+    this.folded = new FoldedHemicube(box);
     this.table = element(result, "div");
     this.pixel = status(right, "hemicube-pixel");
-    this.sum = status(right, "hemicube-sum");
-    this.command = status(right, "hemicube-command");
     this.addQuestion(right);
     this.picture.onSelect((column, line) => this.point(column, line));
     this.setResolution(this.resolution);
@@ -104,7 +120,7 @@ class HemicubeLesson {
   private colourOf(element: number): Rgb {
     const {surface, column, row} = this.texels.of(element);
     const {columns, rows} = this.texels.info.surfaces[surface];
-    return texelColour(this.surfaces.indexOf(this.texels.whole(surface)), columns, rows, row * columns + column);
+    return texelColour(hues[this.texels.whole(surface)], columns, rows, row * columns + column);
   }
 
   /** The place of the patch. */
@@ -136,11 +152,17 @@ class HemicubeLesson {
       this.state.set("colours", to);
       this.paint();
     });
+    const fold = {label: "Fold", min: 0, max: 90, step: 5, value: this.foldedBy, show: (to: number) => `${to}°`};
+    slider(parent, fold, (to) => {
+      this.foldedBy = to;
+      this.state.set("fold", to);
+      this.folded.show(this.picture.canvas, to);
+    });
   }
 
   private addQuestion(parent: HTMLElement): void {
     question(parent, {
-      text: "How many times larger is ΔF in the middle of the top face than in its corner, at R = 256?",
+      text: "ΔF in the middle of the top face over ΔF in its corner, at R = 256?",
       answer: () => middleOverCorner(this.elements),
       tolerance: 0.15,
       why: "In the middle x = y = 0, in the corner x = y = 1: the ratio of the denominators is (1 + 1 + 1)² = 9.",
@@ -190,38 +212,38 @@ class HemicubeLesson {
   }
 
   private showSums(): void {
-    const lines = this.surfaces.map((name, hue) => {
-      const swatch = `<span class="swatch" style="background: ${cssColour(texelColour(hue, 1, 1, 0))}"></span>`;
-      return `<tr data-surface="${name}"><th scope="row">${swatch}${name}</th>
-        <td>${this.formFactorOf(name).toFixed(4)}</td></tr>`;
-    });
-    this.table.innerHTML = `<table><thead><tr><th scope="col">to surface</th><th scope="col">form factor</th></tr></thead>
-      <tbody>${lines.join("")}</tbody></table>`;
     const {formFactors, background, backs} = this.view;
-    const elements = sumOf(formFactors);
-    const [shown, open, black, all] = [elements, background, backs, elements + background + backs].map((part) =>
-      part.toFixed(4),
+    const line = (name: string, value: number, colour: string) => `<tr data-name="${name}"><th scope="row">
+      <span class="swatch" style="background: ${colour}"></span>${name}</th><td>${value.toFixed(4)}</td></tr>`;
+    const surfaces = this.surfaces.map((name) =>
+      line(name, this.formFactorOf(name), cssColour(texelColour(hues[name], 1, 1, 0))),
     );
-    this.sum.set(`${shown} elements + ${open} background + ${black} backs = ${all}`);
+    const sum = sumOf(formFactors) + background + backs;
+    this.table.innerHTML = `<table><thead><tr><th scope="col">to</th><th scope="col">form factor</th></tr></thead>
+      <tbody>${surfaces.join("")}
+      ${line("background", background, cssColour(noElement))}
+      ${line("backs", backs, cssColour(noElement))}
+      ${line("sum", sum, "none")}</tbody></table>`;
   }
 
   private paint(): void {
     const {faces, formFactors} = this.view;
     const largest = Math.max(...faces.map(({weights}) => maximumOf(weights)));
-    const ofElement = this.colours.map(bytesOf);
+    const ofElement = this.colours.map(bytesOf), background = bytesOf(noElement);
     const pixels = new Uint8ClampedArray(4 * this.cross.length);
     this.cross.forEach((place, i) => {
       if (!place) return;
       const {elements, weights} = faces[place.face];
       const shown = elements[place.pixel];
       if (this.byShare) pixels.set(paletteBytes[levelOf(weights[place.pixel], largest)], 4 * i);
-      else pixels.set(shown < 0 ? noElement : ofElement[shown], 4 * i);
+      else pixels.set(shown < 0 ? background : ofElement[shown], 4 * i);
     });
     this.picture.show(pixels, 2 * this.resolution, 2 * this.resolution);
 
-    const largestFactor = maximumOf(formFactors);
+    // Square roots, so that the scene does not become too dark to be seen.
+    const largestRoot = Math.sqrt(maximumOf(formFactors));
     const colours = this.byShare
-      ? Array.from(formFactors, (factor) => palette[levelOf(factor, largestFactor)])
+      ? Array.from(formFactors, (factor) => palette[levelOf(Math.sqrt(factor), largestRoot)])
       : [...this.colours];
     colours[this.source] = [1, 1, 1];
     this.sceneView.setColours(Float32Array.from(colours.flat()));
@@ -232,18 +254,23 @@ class HemicubeLesson {
   private point(column: number, line: number): void {
     this.pointed = [column, line];
     this.picture.select(column, line);
+    this.folded.show(this.picture.canvas, this.foldedBy);
     const place = this.cross[line * 2 * this.resolution + column];
     const shown = place ? this.view.faces[place.face].elements[place.pixel] : -1;
-    const surface = shown < 0 ? "" : this.texels.whole(this.texels.of(shown).surface);
     this.pixel.set(place ? this.textOf(place, shown) : "No pixel");
     this.sceneView.mark(shown < 0 ? [] : [shown]);
-    for (const entry of this.table.querySelectorAll<HTMLElement>("tbody tr"))
-      entry.classList.toggle("current", entry.dataset.surface === surface);
+    const name = place ? this.nameOf(shown) : "";
+    for (const line of this.table.querySelectorAll<HTMLElement>("tbody tr"))
+      line.classList.toggle("current", line.dataset.name === name);
+  }
+
+  private nameOf(shown: number): string {
+    return shown >= 0 ? this.texels.whole(this.texels.of(shown).surface) : shown === -1 ? "background" : "backs";
   }
 
   private textOf({face, pixel}: FacePixel, shown: number): string {
     const {width, weights} = this.view.faces[face];
-    const what = shown >= 0 ? this.texels.name(this.texels.of(shown)) : shown === -1 ? "background" : "back of a face";
+    const what = shown >= 0 ? this.texels.name(this.texels.of(shown)) : this.nameOf(shown);
     return (
       `Pixel (${pixel % width}, ${Math.floor(pixel / width)}) of ${faceNames[face]}: ${what}, ` +
       `ΔF = ${weights[pixel].toPrecision(4)}`

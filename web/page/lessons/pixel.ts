@@ -1,7 +1,7 @@
 // The item ID of a pixel: which triangle covers it, which texel it shows, and the sum of offset and index.
 import type {Rgb} from "../colours";
 import {checkbox, choice, columns, element, question, row, slider, sourceLink, status, text} from "../controls";
-import type {Core, Explanation, IdLayout, Vector, VectorJson} from "../core";
+import type {Core, Explanation, IdLayout, Scene, Vector, VectorJson} from "../core";
 import type {Lesson, State} from "../lesson";
 import {PixelCanvas} from "../pixels";
 import {bytesOf, cssColour, texelColour} from "./element_colours";
@@ -35,16 +35,17 @@ g patch
 f 13 14 15 16
 `;
 const surfaceNames = ["ceiling", "board", "tile", "patch"];
+const hues = [0.72, 0.4, 0.1, 0.8];
 
 const wrongColour: Rgb = [0.72, 0, 0.6];
-const backgroundColour: Rgb = [0.1, 0.1, 0.12];
+const backgroundColour: Rgb = [0.24, 0.24, 0.27];
 const selectedTexel = "#ffd400";
 
 const style = `
 .pixel-picture { position: relative; }
 .pixel-picture svg { position: absolute; pointer-events: none; }
 .pixel-maps { display: flex; flex-wrap: wrap; gap: 8px 16px; align-items: center; margin-bottom: 8px; }
-.pixel-maps svg { width: 180px; height: 180px; }
+.pixel-maps svg { width: min(180px, 40vw); }
 .pixel-maps tr.current > * { background: var(--accent); color: var(--on-accent); }
 .pixel .swatch { display: inline-block; width: 0.8em; height: 0.8em; margin-right: 6px; }
 .pixel th { font-weight: normal; }
@@ -53,8 +54,8 @@ const style = `
 .pixel-derivation { min-height: 250px; }
 .pixel-maps .plus { font-size: 24px; }
 .pixel .sum { margin: 4px 0; }
-.pixel .sum th, .pixel .sum td { padding: 0 5px; border-width: 0; white-space: nowrap; }
-.pixel .sum td { font: 13px ui-monospace, monospace; }
+.pixel .sum th, .pixel .sum td { padding: 0 min(5px, 0.8vw); border-width: 0; white-space: nowrap; }
+.pixel .sum td { font: min(13px, 2.7vw) ui-monospace, monospace; } /* 32 bits fit on a phone */
 .pixel .sum tr.result > * { border-top-width: 1px; font-weight: bold; }
 .pixel .sum td.clamped { background: ${cssColour(wrongColour)}; color: #fff; }
 `;
@@ -74,8 +75,7 @@ interface Drawn {
   exact: Uint32Array; // the same with an integer add, which loses no carry
 }
 
-function draw(core: Core, {format, texels, aligned}: Settings): Drawn {
-  const scene = core.loadScene({"scene.obj": sceneText}, "scene.obj");
+function draw(scene: Scene, {format, texels, aligned}: Settings): Drawn {
   const elements = scene.discretize({texels, surface_texels: {patch: 1}});
   const patch = elements.info().elements - 1;
   const settings = {format, aligned, resolution};
@@ -109,7 +109,7 @@ function colourOf({ids, exact, layout}: Drawn, pixel: number): Rgb {
   const place = placeOf(layout, ids[pixel]);
   if (!place) return backgroundColour;
   const {columns, rows} = layout.pages[place.surface];
-  return texelColour(place.surface, columns, rows, place.index);
+  return texelColour(hues[place.surface], columns, rows, place.index);
 }
 
 /** Over the pixels: the triangle that the selected pixel shows, and the item IDs. */
@@ -140,7 +140,7 @@ function indexMap(texels: number, selected: number): string {
 
 function offsets({pages}: IdLayout, current: number): string {
   const lines = pages.map(({offset, columns, rows}, surface) => {
-    const colour = cssColour(texelColour(surface, columns, rows, 0));
+    const colour = cssColour(texelColour(hues[surface], columns, rows, 0));
     return `<tr${surface === current ? ' class="current"' : ""}><th scope="row">
       <span class="swatch" style="background: ${colour}"></span>${surfaceNames[surface]}</th><td>${offset}</td></tr>`;
   });
@@ -165,11 +165,14 @@ function addition(format: string, sums: ChannelSum[], decimal: [offset: number, 
       const clamped = isResult && sum.offset + sum.texel !== sum.result;
       return `<td${clamped ? ' class="clamped"' : ""}>${sum[key].toString(2).padStart(sum.bits, "0")}</td>`;
     });
-    return `<tr${isResult ? ' class="result"' : ""}><th scope="row">${head}</th>${cells.join("")}<td>${value}</td></tr>`;
+    return `<tr${isResult ? ' class="result"' : ""}><th scope="row">${head}</th>${cells.join("")}
+      <td>${value}</td></tr>`;
   };
   const heads = channels.map(({letter}) => `<td>${letter}</td>`);
   return `<table class="sum"><tbody><tr><td></td>${heads.join("")}<td></td></tr>
-    ${line("offset", "offset", decimal[0])}${line("+ index", "texel", decimal[1])}${line("= item ID", "result", decimal[2])}
+    ${line("offset", "offset", decimal[0])}
+    ${line("+ index", "texel", decimal[1])}
+    ${line("= item ID", "result", decimal[2])}
     </tbody></table>`;
 }
 
@@ -185,7 +188,7 @@ function derivationText(drawn: Drawn, format: string, {derivation, word}: Explan
     : "There is nothing behind it.";
   const values = edges.map(({value}: {value: number}) => value).join(", ");
   return `<ol>
-    <li><b>Edge functions</b> of triangle ${triangle}: ${values}, none negative.</li>
+    <li><b>Edge functions</b> of triangle ${triangle}: ${values}, all ≥ 0.</li>
     <li><b>Depth</b>: 1/w = ${rounded(inverse_depth)} on the ${nameOf(derivation.draw)}. ${behind}</li>
     <li><b>Texel</b>: ⌊uN⌋ = ⌊${rounded(texel.position[0])}⌋ = ${texel.column}, ⌊vN⌋ =
       ⌊${rounded(texel.position[1])}⌋ = ${texel.row}, index ${texel.index}.</li>
@@ -199,11 +202,14 @@ function lossText({layout, exact}: Drawn, {column, row, word}: Explanation): str
   const sum = exact[row * resolution + column];
   if (sum === word) return "";
   const place = placeOf(layout, word);
-  const other = place ? `texel ${place.index} of the ${surfaceNames[place.surface]}, which gets the light` : "no element";
+  const other = place
+    ? `texel ${place.index} of the ${surfaceNames[place.surface]}, which gets the light`
+    : "the number of no element";
   return `<p><b>The clamp lost a carry:</b> the sum is ${sum}, but the pixel holds ${word}. That is ${other}.</p>`;
 }
 
 class PixelLesson {
+  private readonly scene: Scene;
   private readonly settings: Settings;
   private readonly picture: PixelCanvas;
   private readonly overlay = document.createElementNS("http://www.w3.org/2000/svg", "svg");
@@ -225,7 +231,8 @@ class PixelLesson {
     };
     this.column = pixelNumber(state.number("x", 7));
     this.row = pixelNumber(state.number("y", 3));
-    this.drawn = draw(core, this.settings);
+    this.scene = core.loadScene({"scene.obj": sceneText}, "scene.obj");
+    this.drawn = draw(this.scene, this.settings);
 
     element(root, "style", {textContent: style});
     const [left, right] = columns(root);
@@ -233,7 +240,7 @@ class PixelLesson {
       its <em>item ID</em>. Point at a pixel.`);
     this.picture = this.addPicture(left);
     this.addControls(row(left));
-    text(left, "Without alignment the offsets have no gaps. Switch it off, and sums overflow a channel.");
+    text(left, "Without aligned offsets, a sum can overflow its channel. Try it.");
     this.wrong = status(left, "pixel-wrong");
     this.room = status(left, "pixel-room");
     text(right, `All surfaces share one texture, the <em>index map</em>. Each has an <em>offset</em>. The rasterizer
@@ -282,7 +289,7 @@ class PixelLesson {
 
   private addQuestion(parent: HTMLElement): void {
     question(parent, {
-      text: "r8g8b8a8, offset 200, index 60: which item ID does the clamped add give?",
+      text: "r8g8b8a8, offset 200, index 60: the item ID of a clamped add?",
       answer: () => this.core.blend("r8g8b8a8", "clamped-add", 200, 60),
       tolerance: 0,
       why: `A channel of 8 bits holds at most 255; the carry is lost. Offsets that are multiples of 2<sup>k</sup>, where
@@ -295,7 +302,7 @@ class PixelLesson {
 
   private change(changed: Partial<Settings>): void {
     Object.assign(this.settings, changed);
-    this.drawn = draw(this.core, this.settings);
+    this.drawn = draw(this.scene, this.settings);
     this.state.set("format", this.settings.format);
     this.state.set("texels", this.settings.texels);
     this.state.set("aligned", Number(this.settings.aligned));
@@ -304,7 +311,8 @@ class PixelLesson {
 
   private show(): void {
     const {ids, exact, layout} = this.drawn;
-    this.picture.show(Uint8ClampedArray.from(Array.from(ids, (_, pixel) => bytesOf(colourOf(this.drawn, pixel))).flat()));
+    const colours = Array.from(ids, (_, pixel) => bytesOf(colourOf(this.drawn, pixel)));
+    this.picture.show(Uint8ClampedArray.from(colours.flat()));
     const {format, texels} = this.settings;
     const room = this.core.maxSurfaces(format, texels ** 2);
     this.wrong.set(`${ids.filter((id, pixel) => id !== exact[pixel]).length} pixels hold a wrong item ID.`);
@@ -321,7 +329,7 @@ class PixelLesson {
   }
 
   private explain(): void {
-    const explanation = this.drawn.vector.explain("top", this.column, this.row);
+    const explanation = this.drawn.vector.explain(this.drawn.json.faces[0].name, this.column, this.row);
     const {derivation, word} = explanation;
     this.overlay.innerHTML = overlay(this.drawn, explanation);
     this.maps.innerHTML =
