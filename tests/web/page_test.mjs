@@ -1,6 +1,6 @@
 // node page_test.mjs [LESSON]: opens build/web/hemitex.html from disk in headless Chromium, goes to each lesson (or to
-// one) by its link and checks it at two sizes of the window: canvases are not blank, the page is not wider than the
-// window, no message on the console, no request, no serious finding of axe-core. Screenshots go to
+// one) by its link and checks it at two sizes of the window, light and dark: canvases are not blank, the page is not
+// wider than the window, no message on the console, no request, no serious finding of axe-core. Screenshots go to
 // build/web/screenshots. Prints the size of the page and the time to the first picture.
 //
 // Checks of one lesson are in lessons/ID.mjs: a module with
@@ -30,7 +30,10 @@ const {chromium} = requireFromWeb("playwright-core");
 const file = join(top, "build/web/hemitex.html");
 const url = pathToFileURL(file).href;
 const screenshots = join(top, "build/web/screenshots");
-const windows = [{width: 1280, height: 800}, {width: 390, height: 844}];
+const windows = [
+  {viewport: {width: 1280, height: 800}, colorScheme: "light"},
+  {viewport: {width: 390, height: 844}, colorScheme: "dark"},
+];
 const only = process.argv[2];
 
 async function until(condition, what) {
@@ -62,8 +65,8 @@ function toolsOf(page, id) {
 const shown = (page, id) => page.locator(`main[data-shown="${id}"]`).waitFor({timeout: 20000});
 
 /** A page whose console messages, errors and requests are kept. */
-async function openPage(browser, viewport) {
-  const page = await browser.newPage({viewport});
+async function openPage(browser, window) {
+  const page = await browser.newPage(window);
   page.noise = [];
   page.on("console", (message) => page.noise.push(`console: ${message.text()}`));
   page.on("pageerror", (error) => page.noise.push(`error: ${error.message}`));
@@ -116,7 +119,7 @@ async function checkAccessibility(page) {
 async function checkLesson(page, id) {
   const {width, height} = page.viewportSize();
   await page.evaluate(() => delete document.querySelector("main").dataset.shown);
-  await page.locator(`nav a[href="#${id}"]`).click();
+  await page.locator(`header a[href="#${id}"]`).click();
   await shown(page, id);
   await checkCanvases(page);
   await page.evaluate(() => scrollTo(0, 0));
@@ -126,7 +129,7 @@ async function checkLesson(page, id) {
   await checkWidth(page);
   await checkAccessibility(page);
   const own = join(tests, "lessons", `${id}.mjs`);
-  if (width === windows[0].width && existsSync(own)) await (await import(own)).default(page, toolsOf(page, id));
+  if (width === windows[0].viewport.width && existsSync(own)) await (await import(own)).default(page, toolsOf(page, id));
   assert.equal(page.noise.join("\n"), "");
   const content = await page.evaluate(() => document.documentElement.scrollHeight);
   console.log(`ok ${id} ${width} x ${height}: ${content} pixels high`);
@@ -141,18 +144,18 @@ const browser = await chromium.launch({
     "--enable-unsafe-webgpu"],
 });
 let failures = 0;
-for (const viewport of windows) {
-  const page = await openPage(browser, viewport);
+for (const window of windows) {
+  const page = await openPage(browser, window);
   await page.waitForFunction(() => performance.getEntriesByName("first picture").length);
   const time = await page.evaluate(() => performance.getEntriesByName("first picture")[0].startTime);
   console.log(`first picture after ${Math.round(time)} ms`);
-  const links = await page.locator("nav a").evaluateAll((all) => all.map((link) => link.hash.slice(1)));
+  const links = await page.locator("header a").evaluateAll((all) => all.map((link) => link.hash.slice(1)));
   for (const id of links.filter((link) => !only || link === only)) {
     try {
       await checkLesson(page, id);
     } catch (error) {
       ++failures;
-      console.error(`FAIL ${id} ${viewport.width}: ${error.message}`);
+      console.error(`FAIL ${id} ${window.viewport.width}: ${error.message}`);
     }
     page.noise.length = 0;
   }

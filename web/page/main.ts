@@ -58,11 +58,11 @@ class AddressState implements State {
 }
 
 function makeNavigation(): void {
-  for (const {id, title} of lessons) element(nav, "a", {href: `#${id}`, textContent: title});
+  for (const {id, title} of lessons.slice(1)) element(nav, "a", {href: `#${id}`, textContent: title});
 }
 
 function markNavigation(current: Lesson): void {
-  for (const link of nav.querySelectorAll("a"))
+  for (const link of document.querySelectorAll<HTMLAnchorElement>("header a"))
     if (link.hash === `#${current.id}`) link.setAttribute("aria-current", "page");
     else link.removeAttribute("aria-current");
 }

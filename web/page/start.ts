@@ -9,7 +9,7 @@ export const lesson: Lesson = {
   show(root, {scene}) {
     const [left, right] = columns(root);
     const elements = scene("cornell-box").discretize({texel_size: 35});
-    const solution = elements.solve({resolution: 64, split: 1, rotated: false, residual: 0.1});
+    const solution = elements.solve({resolution: 128, split: 1, rotated: false, residual: 0.1});
     const view = new SceneView(left, {label: "The Cornell box in 3-D", scene: scene("cornell-box"), elements});
     view.setColours(litColours(solution.radiosity()));
     text(

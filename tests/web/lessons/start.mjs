@@ -3,7 +3,7 @@ import {mkdtempSync, rmSync} from "node:fs";
 import {tmpdir} from "node:os";
 import {join} from "node:path";
 
-const settings = ["--texel-size", "35", "--resolution", "64", "--split", "1", "--orientation", "aligned", "--residual", "0.1"];
+const settings = ["--texel-size", "35", "--resolution", "128", "--split", "1", "--orientation", "aligned", "--residual", "0.1"];
 
 function solved({run}) {
   const folder = mkdtempSync(join(tmpdir(), "hemitex-"));
