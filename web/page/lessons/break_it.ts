@@ -2,7 +2,7 @@
 import {hiddenDevices, type HiddenDevice} from "../break_it/hidden_devices";
 import {Comparison, verdictColours} from "../comparison";
 import {button, choice, columns, element, row, sourceLink, status, text} from "../controls";
-import type {Core, ItemBuffers, Report, Vector} from "../core";
+import type {Core, ErrorPixel, ItemBuffers, Report, Vector} from "../core";
 import {showDerivation} from "../derivation";
 import type {Lesson, Page, State} from "../lesson";
 
@@ -48,17 +48,19 @@ const pixels = (count: number) => `${count} pixel${count === 1 ? "" : "s"}`;
 class FaceView {
   private readonly comparison: Comparison;
   private readonly faceRow: HTMLElement;
+  private readonly legend: HTMLElement;
   private readonly selection: {set(text: string): void};
   private readonly derivation: HTMLElement;
   private vector!: Vector;
   private expected!: ItemBuffers;
   private found!: ItemBuffers;
   private face = 0;
+  private verdicts: Uint8Array[] | undefined;
 
   constructor(pictures: HTMLElement, details: HTMLElement, private readonly core: Core) {
     this.faceRow = row(pictures);
     this.comparison = new Comparison(pictures, 250);
-    legend(pictures);
+    this.legend = element(pictures, "div");
     this.selection = status(details, "pixel");
     this.derivation = element(details, "div");
     this.comparison.onSelect((column, line) => this.explain(column, line));
@@ -66,10 +68,11 @@ class FaceView {
 
   /** Shows the face with most differences. */
   show(vector: Vector, expected: ItemBuffers, found: ItemBuffers): void {
-    Object.assign(this, {vector, expected, found});
+    Object.assign(this, {vector, expected, found, verdicts: undefined});
     const counts = differing(expected, found);
     const {faces} = vector.json();
     this.faceRow.replaceChildren();
+    this.legend.replaceChildren();
     this.face = counts.indexOf(Math.max(...counts));
     if (faces.length > 1)
       choice(
@@ -82,31 +85,41 @@ class FaceView {
         (value) => {
           this.face = Number(value);
           this.draw();
+          this.selectFirst();
         },
       );
     this.draw();
+    this.selectFirst();
   }
 
   /** Colours the differences by their verdicts. */
   showVerdicts(report: Report): void {
-    this.draw(report.pixels());
+    this.legend.replaceChildren();
+    legend(this.legend);
+    this.verdicts = report.pixels();
+    this.draw();
   }
 
-  private draw(verdicts?: Uint8Array[]): void {
+  private draw(): void {
     const {background, faces} = this.vector.json();
     const [, , columns, rows] = faces[this.face].scissor;
     const [expected, found] = [this.expected[this.face], this.found[this.face]];
     const names = this.core.verdicts();
-    const of = verdicts?.[this.face];
-    this.comparison.show({columns, rows, background, expected, found}, of && ((pixel) => names[of[pixel]]));
-    if (!verdicts) this.selectFirst(columns, expected, found, background);
+    const verdicts = this.verdicts?.[this.face];
+    this.comparison.show(
+      {columns, rows, background, expected, found},
+      verdicts && ((pixel) => names[verdicts[pixel]]),
+    );
   }
 
   /** A difference where a triangle is visible, if there is one. */
-  private selectFirst(columns: number, expected: Uint32Array, found: Uint32Array, background: number): void {
+  private selectFirst(): void {
+    const {background, faces} = this.vector.json();
+    const [expected, found] = [this.expected[this.face], this.found[this.face]];
     const differs = (id: number, pixel: number) => id !== found[pixel];
     const visible = expected.findIndex((id, pixel) => id !== background && differs(id, pixel));
     const first = Math.max(0, visible < 0 ? expected.findIndex(differs) : visible);
+    const columns = faces[this.face].scissor[2];
     const [column, line] = [first % columns, Math.floor(first / columns)];
     this.comparison.select(column, line);
     this.explain(column, line);
@@ -133,16 +146,30 @@ function legend(parent: HTMLElement): void {
   }
 }
 
+function describe({kind, face, column, row: line, expected, expected_from, found, found_from}: ErrorPixel): string {
+  const from = (origin: string | null) => (origin ? ` (${origin})` : "");
+  return (
+    `The first error: ${kind} at column ${column}, row ${line} of ${face}, expected ${expected}` +
+    `${from(expected_from)}, found ${found}${from(found_from)}.`
+  );
+}
+
+/** The parts of the page for one task. */
+interface Place {
+  controls: HTMLElement;
+  task: HTMLElement;
+  view: FaceView;
+}
+
 /** The fault is chosen, and the diagnosis names it. Returns what ends it. */
-function breakDevice(controls: HTMLElement, parent: HTMLElement, view: FaceView, page: Page): () => void {
-  const {core, state} = page;
-  const vectors = vectorsOf(core);
+function breakDevice({controls, task, view}: Place, {core, state}: Page, vectors: Map<string, Vector>): () => void {
   let vector = vectors.get(state.text("vector", "five-faces")) ?? vectors.get("five-faces")!;
   let fault = state.text("fault", "picture upside down");
   let variant = state.text("variant", "");
   let timer = 0;
-  const diagnosis = status(parent, "diagnosis");
-  const purpose = text(parent, "");
+  const diagnosis = status(task, "diagnosis");
+  const firstError = status(task, "first-error");
+  const purpose = text(task, "");
   const bar = row(controls);
   const plain = (name: string): [string, string] => [name, name];
   choice(bar, {label: "Test vector", options: vectorNames.map(plain), value: vector.name()}, (name) => {
@@ -186,6 +213,7 @@ function breakDevice(controls: HTMLElement, parent: HTMLElement, view: FaceView,
     view.show(vector, expected, found);
     purpose.textContent = `This vector detects: ${vector.catches()}.`;
     diagnosis.set("Judging ...");
+    firstError.set("");
     clearTimeout(timer);
     timer = window.setTimeout(() => diagnose(expected, found));
   }
@@ -200,6 +228,8 @@ function breakDevice(controls: HTMLElement, parent: HTMLElement, view: FaceView,
       `${pixels(differences)} differ, ${errors} of them are errors. ` +
         (report.findings() ? `The diagnosis: ${report.findings()}` : "The diagnosis names no fault."),
     );
+    const [error] = report.json().errors;
+    if (error) firstError.set(describe(error));
   }
 
   offerFaults();
@@ -213,8 +243,7 @@ function candidates({fault, others}: HiddenDevice): string[] {
 }
 
 /** A hidden device, and a list of faults to choose from. */
-function findFault(controls: HTMLElement, parent: HTMLElement, view: FaceView, {core, state}: Page): void {
-  const vectors = vectorsOf(core);
+function findFault({controls, task, view}: Place, {state}: Page, vectors: Map<string, Vector>): void {
   let number = Math.min(hiddenDevices.length, Math.max(1, Math.round(state.number("device", 1)))) - 1;
   const bar = row(controls);
   const names = hiddenDevices.map((_, k): [string, string] => [String(k), `Device ${k + 1}`]);
@@ -224,7 +253,7 @@ function findFault(controls: HTMLElement, parent: HTMLElement, view: FaceView, {
   });
   const options = vectorNames.map((name): [string, string] => [name, name]);
   const drawn = choice(bar, {label: "Test vector that it draws", options, value: vectorNames[0]}, showVector);
-  const form = element(parent, "form", {className: "question"});
+  const form = element(task, "form", {className: "question"});
   let vector: Vector;
 
   function showVector(name: string): void {
@@ -292,14 +321,20 @@ const modes: [value: string, label: string][] = [
 ];
 
 /** Shows one of the two tasks; returns what ends it. */
-function showTask(parent: HTMLElement, page: Page, mode: string): (() => void) | void {
+function showTask(
+  parent: HTMLElement,
+  page: Page,
+  vectors: Map<string, Vector>,
+  mode: string,
+): (() => void) | void {
   parent.replaceChildren();
   const controls = element(parent, "div");
   const [left, right] = columns(parent);
   const pictures = element(left, "div");
   const task = element(mode === "find" ? left : right, "div");
   const view = new FaceView(pictures, element(right, "div"), page.core);
-  return mode === "find" ? findFault(controls, task, view, page) : breakDevice(controls, task, view, page);
+  const show = mode === "find" ? findFault : breakDevice;
+  return show({controls, task, view}, page, vectors);
 }
 
 function makeModes(parent: HTMLElement, state: State, change: (mode: string) => void): void {
@@ -326,13 +361,14 @@ export const lesson: Lesson = {
       "A device with a fault draws a test vector. The page compares each pixel with the rules, and draws the vector with " +
         "about sixty known faults: the one that gives the same item IDs is the diagnosis.",
     );
+    const vectors = vectorsOf(page.core);
     let end: (() => void) | void;
     makeModes(root, page.state, (mode) => {
       end?.();
-      end = showTask(task, page, mode);
+      end = showTask(task, page, vectors, mode);
     });
     const task = element(root, "div");
-    end = showTask(task, page, page.state.text("task", "break"));
+    end = showTask(task, page, vectors, page.state.text("task", "break"));
     sourceLink(root, "reference/conformance/diagnosis/fault.h", "The faults");
     return () => end?.();
   },

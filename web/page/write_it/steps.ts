@@ -16,6 +16,7 @@ type Change = [before: string, after: string][];
 const start = `// Returns an item ID per pixel of the view, row by row.
 function draw(view) {
   const ids = new Uint32Array(view.width * view.height).fill(view.background);
+  // The place of a pixel in ids
   const pixel = (column, row) => (row - view.row) * view.width + column - view.column;
   for (const triangle of view.triangles) {
     const [a, b, c] = triangle.corners;
@@ -94,8 +95,8 @@ const steps: {title: string; text: string; vectors: string[] | null; change: Cha
       w<sub>k</sub> / area, where e<sub>k</sub> is the edge function of the edge opposite to corner k. Draw where it is
       larger than what the pixel shows. Of equal depths the first stays.`,
     vectors: ["crossing", "coplanar-slope"],
-    change: [[`  const pixel`, `  const depths = new Float64Array(ids.length);
-  const pixel`],
+    change: [[`  // The place`, `  const depths = new Float64Array(ids.length);
+  // The place`],
 [`    const first`, `    const points = [a, b, c], area = edge(a, b, c);
     const first`],
 [`        ids[pixel(column, row)] = triangle.offset;
