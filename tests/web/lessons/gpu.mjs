@@ -50,9 +50,13 @@ async function checkFault(page, tools, fault, device, spoil) {
   console.log(`   ${device}: ${remarks} ${await tools.value("gpu-reduced")}`);
 }
 
-/** The driver ignores the depth test. */
+/** Drivers that ignore the depth test. */
 function spoilDepthTest() {
-  WebGL2RenderingContext.prototype.depthFunc = () => {};
+  const {createRenderPipeline} = GPUDevice.prototype;
+  GPUDevice.prototype.createRenderPipeline = function (description) {
+    const depthStencil = {...description.depthStencil, depthCompare: "always"};
+    return createRenderPipeline.call(this, {...description, depthStencil});
+  };
   const {enable} = WebGL2RenderingContext.prototype;
   WebGL2RenderingContext.prototype.enable = function (state) {
     if (state !== this.DEPTH_TEST) enable.call(this, state);
@@ -69,7 +73,8 @@ export default async function check(page, tools) {
     const suite = writeSuite(tools, folder);
     for (const device of ["webgl2", "webgpu"]) await checkRightDevice(page, tools, device, suite, folder);
     await checkFault(page, tools, "linear filtering", "simulated: linear filtering");
-    await checkFault(page, tools, "depth test off", "webgl2", spoilDepthTest);
+    for (const device of ["webgl2", "webgpu"])
+      await checkFault(page, tools, "depth test off", device, spoilDepthTest);
     const {state} = await judge(page, tools, "webgpu", removeWebGPU);
     tools.equal(state, "Not judged: this browser has no WebGPU.", "without WebGPU");
   } finally {

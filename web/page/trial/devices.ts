@@ -7,8 +7,6 @@ export interface Device {
   name: string;
   driver: string;
   draw(vector: Vector): ItemBuffers | Promise<ItemBuffers>;
-  /** Whether draw returns item buffers at once, as Vector.reduce needs them. */
-  isSynchronous: boolean;
   close(): void;
 }
 
@@ -44,7 +42,6 @@ function simulatedDevice(fault: string): Device {
     name: `simulated device: ${fault}`,
     driver: "hemitex",
     draw: (vector) => drawWithFault(vector, fault),
-    isSynchronous: true,
     close() {},
   };
 }
@@ -58,7 +55,6 @@ export async function openDevice(choice: string): Promise<Device> {
     name: device.name,
     driver: `${isWebGPU ? "WebGPU" : "WebGL2"}, ${navigator.userAgent}`,
     draw: (vector) => device.drawVector(vector.json(), vector.arrays()),
-    isSynchronous: !isWebGPU,
     close: device.close,
   };
 }

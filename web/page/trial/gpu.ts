@@ -1,11 +1,9 @@
 // The visitor's GPU draws the suite of test vectors, and the page judges it.
 import {button, choice, columns, element, question, row, sourceLink, status, text} from "../controls";
-import type {Core} from "../core";
 import type {Lesson, Page} from "../lesson";
-import {deviceChoices, openDevice, type Device} from "./devices";
-import {showProfile} from "./profile_table";
-import {isMeasured, pixelsOf, runTrial, summaryOf, type Counts, type Trial} from "./trial";
-import {showVectors} from "./vector_view";
+import {deviceChoices, openDevice} from "./devices";
+import {showTrial, verdictText} from "./result";
+import {runTrial} from "./trial";
 
 const intro =
   "The <em>test vectors</em> are small draw lists whose item IDs are known. The button draws all of them on your " +
@@ -23,78 +21,6 @@ const precision =
   "texels, for a map of N texels, corners with u<sub>k</sub> and w<sub>k</sub>, and a sample of depth w " +
   "(docs/item-buffers.md). The verdict allows as many roundings as the probes show.";
 
-const inThousands = (count: number): string => count.toLocaleString("en");
-
-function showCounts(parent: HTMLElement, trial: Trial): void {
-  const table = element(parent, "table");
-  const head = element(table, "tr");
-  for (const title of ["profile", "exact", "explained", "errors"])
-    element(head, "th", {scope: "col", textContent: title});
-  const add = (name: string, counts: Counts) => {
-    const line = element(table, "tr");
-    element(line, "th", {scope: "row", textContent: name});
-    const {exact, explained, errors} = summaryOf(counts);
-    for (const count of [exact, explained, errors]) element(line, "td", {textContent: inThousands(count)});
-  };
-  add("default", trial.byDefault.counts);
-  add(isMeasured(trial) ? "measured" : "measured in part", trial.measured.counts);
-}
-
-/** What the counts mean: the class of the device, what contradicts it, and the fault. */
-function remarks(core: Core, trial: Trial): string[] {
-  const defaultReports = trial.byDefault.answers.map(({report}) => report);
-  const reports = trial.measured.answers.map(({report}) => report);
-  const deviceClass = isMeasured(trial) ? core.deviceClass(defaultReports) : "";
-  const fault = core.commonFault(reports);
-  return [
-    ...(deviceClass ? [`Under the default profile, ${deviceClass}.`] : []),
-    ...trial.contradictions.slice(0, 3).map((line) => `No device answers the probes this way: ${line}.`),
-    ...(fault ? [`Diagnosis: ${fault}.`] : []),
-  ];
-}
-
-function verdictText(trial: Trial): string {
-  const {exact, explained, errors} = summaryOf(trial.measured.counts);
-  const [a, b, c] = [exact, explained, errors].map(inThousands);
-  return `${errors === 0 && isMeasured(trial) ? "Passed" : "Failed"}: ${a} exact, ${b} explained, ${c} errors`;
-}
-
-function addDownload(parent: HTMLElement, label: string, file: string, content: string, urls: string[]): void {
-  const url = URL.createObjectURL(new Blob([content], {type: "application/json"}));
-  urls.push(url);
-  element(parent, "a", {href: url, download: file, textContent: label});
-}
-
-function addDownloads(parent: HTMLElement, core: Core, trial: Trial, urls: string[]): void {
-  const {profile, answers} = isMeasured(trial) ? trial.measured : trial.byDefault;
-  const {name, driver} = trial.device;
-  const reports = answers.map(({report}) => report);
-  const line = row(parent);
-  addDownload(line, "Conformance record", "record.json", core.record(name, driver, profile, reports), urls);
-  if (isMeasured(trial)) addDownload(line, "Profile", "profile.json", JSON.stringify(profile, null, 2), urls);
-}
-
-function showTrial(left: HTMLElement, right: HTMLElement, page: Page, trial: Trial, urls: string[]): void {
-  const {core} = page;
-  const {answers, counts} = trial.measured;
-  const seconds = (trial.milliseconds / 1000).toPrecision(3);
-  element(left, "p", {
-    textContent:
-      `${trial.device.name}: ${answers.length} vectors, ${inThousands(pixelsOf(counts))} pixels, ` +
-      `${seconds} s.`,
-  });
-  showCounts(left, trial);
-  const remarkBox = element(left, "div");
-  remarkBox.dataset.testid = "gpu-remarks";
-  for (const remark of remarks(core, trial)) element(remarkBox, "p", {textContent: remark});
-  if (isMeasured(trial)) {
-    element(left, "h3", {textContent: "Profile of the device"});
-    showProfile(left, trial.measured.profile);
-  }
-  addDownloads(left, core, trial, urls);
-  showVectors(right, page, trial);
-}
-
 function addQuestion(parent: HTMLElement): void {
   question(parent, {
     text: "A GPU has errors under the default profile and none under its measured profile. What follows?",
@@ -110,57 +36,60 @@ function addQuestion(parent: HTMLElement): void {
   });
 }
 
+/** The choice of a device and the button that judges it. Returns what ends the trial. */
+function addControls(root: HTMLElement, page: Page, showIn: () => HTMLElement[]): () => void {
+  let chosen = page.state.text("device", "webgl2");
+  let trial = new AbortController(); // aborted when the next one starts, and at the end of the lesson
+
+  const judge = async (signal: AbortSignal) => {
+    const device = await openDevice(chosen);
+    if (signal.aborted) return device.close();
+    signal.addEventListener("abort", device.close);
+    const result = await runTrial(page.core, device, (done) => (progress.value = done), signal);
+    const [left, right] = showIn();
+    showTrial(left, right, page, result, signal);
+    verdict.set(verdictText(result));
+  };
+  const run = async () => {
+    trial.abort();
+    trial = new AbortController();
+    const {signal} = trial;
+    for (const box of showIn()) box.replaceChildren();
+    verdict.set("Draws the suite ...");
+    start.disabled = true;
+    progress.hidden = false;
+    try {
+      await judge(signal);
+    } catch (error) {
+      if (!signal.aborted) verdict.set(`Not judged: ${error instanceof Error ? error.message : error}.`);
+    }
+    start.disabled = false;
+    progress.hidden = true;
+  };
+
+  const controls = row(root);
+  choice(controls, {label: "Device", options: deviceChoices, value: chosen}, (value) => {
+    chosen = value;
+    page.state.set("device", value);
+  });
+  const start = button(controls, "Draw the suite", () => void run());
+  const progress = element(controls, "progress", {max: 1, value: 0, ariaLabel: "Progress", hidden: true});
+  const verdict = status(controls, "gpu-state");
+  return () => trial.abort();
+}
+
 export const lesson: Lesson = {
   id: "gpu",
   title: "Your own GPU on trial",
   show(root, page) {
-    const ended = new AbortController();
-    const urls: string[] = [];
-    let device: Device | null = null;
-    let chosen = page.state.text("device", "webgl2");
-
-    const clear = () => {
-      for (const url of urls.splice(0)) URL.revokeObjectURL(url);
-      device?.close();
-      device = null;
-      results.forEach((box) => box.replaceChildren());
-    };
-    const run = async () => {
-      clear();
-      start.disabled = true;
-      state.set("Draws the suite ...");
-      progress.hidden = false;
-      try {
-        device = await openDevice(chosen);
-        const trial = await runTrial(page.core, device, (done) => (progress.value = done), ended.signal);
-        showTrial(results[0], results[1], page, trial, urls);
-        state.set(verdictText(trial));
-      } catch (error) {
-        if (!ended.signal.aborted) state.set(`Not judged: ${error instanceof Error ? error.message : error}.`);
-      }
-      if (ended.signal.aborted) clear();
-      progress.hidden = true;
-      start.disabled = false;
-    };
-
     text(root, intro);
-    const controls = row(root);
-    choice(controls, {label: "Device", options: deviceChoices, value: chosen}, (value) => {
-      chosen = value;
-      page.state.set("device", value);
-    });
-    const start = button(controls, "Draw the suite", () => void run());
-    const progress = element(controls, "progress", {max: 1, value: 0, ariaLabel: "Progress", hidden: true});
-    const state = status(controls, "gpu-state");
+    const end = addControls(root, page, () => results);
     const sides = columns(root);
     const results = sides.map((side) => element(side, "div"));
     text(sides[0], precision);
     addQuestion(sides[0]);
     sourceLink(sides[1], "web/webgl2/backend.js", "What draws with WebGL2");
     sourceLink(sides[1], "web/webgpu/backend.js", "What draws with WebGPU");
-    return () => {
-      ended.abort();
-      clear();
-    };
+    return end;
   },
 };

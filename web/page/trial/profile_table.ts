@@ -16,7 +16,7 @@ function snappingRows(profile: Profile): Row[] {
 function fillRuleRow(profile: Profile): Row {
   const isTopLeft = profile.edge_rule === "top-left";
   const meaning = isTopLeft
-    ? "an edge belongs to the triangle whose top or left edge it is"
+    ? "a triangle has the samples on its top and left edges"
     : "samples on edges follow no top-left rule";
   return ["fill rule", String(profile.edge_rule), meaning];
 }

@@ -1,6 +1,7 @@
 // A case on which a device fails, made small enough to follow by hand.
 import type {ErrorPixel, ItemBuffers, Profile, Vector} from "../core";
 import type {Device} from "./devices";
+import {Slices} from "./slices";
 import type {Answer} from "./trial";
 
 export interface SmallCase {
@@ -9,23 +10,46 @@ export interface SmallCase {
   drawings: number; // by the device
 }
 
-const maxDrawings = 300;
+const maxDrawings = 400;
 
 /**
- * A vector with fewer triangles and pixels on which the device still fails. Without the device, Vector.minimize gives
- * it. Where the device draws at once, Vector.reduce goes on from there.
+ * Vector.reduce for a device that answers later. The reduction is deterministic, so it starts again after each answer,
+ * with all answers so far.
  */
-export async function reduceCase(device: Device, {vector, found}: Answer, profile: Profile): Promise<SmallCase> {
+async function reduceLater(vector: Vector, fails: (smaller: Vector) => Promise<boolean>): Promise<Vector> {
+  const answers: boolean[] = [];
+  while (true) {
+    let calls = 0;
+    let unknown: Vector | undefined;
+    const smallest = vector.reduce((smaller) => {
+      if (calls < answers.length) return answers[calls++];
+      unknown = smaller;
+      return false;
+    }, Math.min(answers.length + 1, maxDrawings));
+    if (!unknown) return smallest;
+    answers.push(await fails(unknown));
+  }
+}
+
+/** Draws smaller and smaller vectors on the device as long as it fails. `progress` gets the number of drawings. */
+export async function reduceCase(
+  device: Device,
+  {vector, found}: Answer,
+  profile: Profile,
+  progress: (drawings: number) => void,
+  signal: AbortSignal,
+): Promise<SmallCase> {
   let drawings = 0;
-  const firstError = (small: Vector, drawn: ItemBuffers) => small.judge(drawn, profile).json().errors[0];
+  const slices = new Slices(signal);
+  const firstError = async (smaller: Vector): Promise<ErrorPixel | undefined> => {
+    const drawn: ItemBuffers = await device.draw(smaller);
+    drawings++;
+    await slices.step(() => progress(drawings));
+    return smaller.judge(drawn, profile).json().errors[0];
+  };
+  // Few triangles explain the error, but the device need not fail on them alone.
   const minimal = vector.minimize(found, profile).vector;
-  // The device may draw other item IDs where fewer triangles are drawn.
-  let small = firstError(minimal, await device.draw(minimal)) ? minimal : vector;
-  if (device.isSynchronous)
-    small = small.reduce((smaller) => {
-      drawings++;
-      return firstError(smaller, device.draw(smaller) as ItemBuffers) !== undefined;
-    }, maxDrawings);
-  const error = firstError(small, await device.draw(small));
-  return {vector: small, error, drawings: drawings + 2};
+  const start = (await firstError(minimal)) ? minimal : vector;
+  const small = await reduceLater(start, async (smaller) => (await firstError(smaller)) !== undefined);
+  return {vector: small, error: (await firstError(small))!, drawings};
 }

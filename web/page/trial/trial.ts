@@ -1,6 +1,7 @@
 // Judges a device: it draws the probes, which give its profile, and the suite, whose item IDs are judged.
 import type {Core, ItemBuffers, Profile, Report, Vector} from "../core";
 import type {Device} from "./devices";
+import {Slices} from "./slices";
 
 export interface Answer {
   vector: Vector;
@@ -20,7 +21,7 @@ export interface Judgement {
 
 export interface Trial {
   device: Device;
-  /** Answers to the probes that no device can give. With any, the profile is measured in part and not valid. */
+  /** Answers to the probes that no device can give. With any, the profile is measured only in part. */
   contradictions: string[];
   byDefault: Judgement;
   measured: Judgement;
@@ -43,38 +44,17 @@ export function summaryOf(counts: Counts): {exact: number; explained: number; er
   return {exact, explained: pixelsOf(counts) - exact - errors, errors};
 }
 
-/** Runs steps, and lets the page draw and answer between them. */
-class Slices {
-  private readonly start = performance.now();
-  private sliceStart = this.start;
-  private done = 0;
+/** Keys of a profile by their probes, whose names begin the lines of contradictions. */
+const probedKeys: Record<string, string[]> = {
+  coverage: ["subpixel_bits", "snap_rounding", "edge_rule"],
+  texels: ["texel_precision", "interpolation_error"],
+  depth: ["depth_format"],
+};
 
-  constructor(
-    private readonly steps: number,
-    private readonly progress: (done: number) => void,
-    private readonly signal: AbortSignal,
-  ) {}
-
-  async map<In, Out>(inputs: In[], step: (input: In) => Out | Promise<Out>): Promise<Out[]> {
-    const outputs: Out[] = [];
-    for (const input of inputs) {
-      outputs.push(await step(input));
-      this.done++;
-      if (performance.now() - this.sliceStart > 30) await this.pause();
-    }
-    return outputs;
-  }
-
-  milliseconds(): number {
-    return performance.now() - this.start;
-  }
-
-  private async pause(): Promise<void> {
-    this.progress(this.done / this.steps);
-    await new Promise(requestAnimationFrame);
-    this.signal.throwIfAborted();
-    this.sliceStart = performance.now();
-  }
+/** The profile without what contradictory answers say. Keys that are left out have their defaults. */
+function consistentPart(profile: Profile, contradictions: string[]): Profile {
+  const dropped = contradictions.flatMap((line) => probedKeys[line.split(":")[0]] ?? []);
+  return Object.fromEntries(Object.entries(profile).filter(([key]) => !dropped.includes(key)));
 }
 
 /** `progress` gets a number from 0 to 1. Throws when `signal` is aborted. */
@@ -87,20 +67,28 @@ export async function runTrial(
   const probes = core.probes();
   const probeVectors = probes.vectors();
   const suite = core.suite();
-  const slices = new Slices(probeVectors.length + 3 * suite.length, progress, signal);
+  const steps = probeVectors.length + 3 * suite.length;
+  const slices = new Slices(signal);
+  const start = performance.now();
+  let done = 0;
+  const each = async <In, Out>(inputs: In[], step: (input: In) => Out | Promise<Out>): Promise<Out[]> => {
+    const outputs: Out[] = [];
+    for (const input of inputs) {
+      outputs.push(await step(input));
+      done++;
+      await slices.step(() => progress(done / steps));
+    }
+    return outputs;
+  };
   const draw = (vector: Vector) => device.draw(vector);
-  const {profile, faults} = probes.calibrate(await slices.map(probeVectors, draw));
-  const drawn = await slices.map(suite, async (vector) => ({vector, found: await draw(vector)}));
+  const {profile, faults} = probes.calibrate(await each(probeVectors, draw));
+  const drawn = await each(suite, async (vector) => ({vector, found: await draw(vector)}));
   const judge = async (allowed: Profile): Promise<Judgement> => {
-    const answers = await slices.map(drawn, (answer) => ({
-      ...answer,
-      report: answer.vector.judge(answer.found, allowed),
-    }));
-    const each = answers.map(({report}) => countsOf(core, report));
-    const counts = core.verdicts().map((_, k) => pixelsOf(each.map((one) => one[k])));
-    return {profile: allowed, answers, counts};
+    const answers = await each(drawn, (answer) => ({...answer, report: answer.vector.judge(answer.found, allowed)}));
+    const counts = answers.map(({report}) => countsOf(core, report));
+    return {profile: allowed, answers, counts: core.verdicts().map((_, k) => pixelsOf(counts.map((one) => one[k])))};
   };
   const byDefault = await judge({});
-  const measured = await judge(profile);
-  return {device, contradictions: faults, byDefault, measured, milliseconds: slices.milliseconds()};
+  const measured = await judge(consistentPart(profile, faults));
+  return {device, contradictions: faults, byDefault, measured, milliseconds: performance.now() - start};
 }

@@ -26,7 +26,7 @@ function label({answer, errors, explained}: Listed): string {
 }
 
 /** Shows the vectors of a trial, those with the most errors first, then those with the most explained pixels. */
-export function showVectors(parent: HTMLElement, {core, state}: Page, trial: Trial): void {
+export function showVectors(parent: HTMLElement, {core, state}: Page, trial: Trial, signal: AbortSignal): void {
   const all = trial.measured.answers.map((answer) => listed(core, answer));
   all.sort((a, b) => b.errors - a.errors || b.explained - a.explained);
   const indexOf = (name: string) => Math.max(0, all.findIndex(({answer}) => answer.vector.name() === name));
@@ -40,7 +40,7 @@ export function showVectors(parent: HTMLElement, {core, state}: Page, trial: Tri
   const show = (index: number) => {
     box.replaceChildren();
     new VectorView(box, core, all[index].answer);
-    if (all[index].errors > 0) addReduction(box, trial, all[index].answer);
+    if (all[index].errors > 0) addReduction(box, trial, all[index].answer, signal);
   };
   show(first);
 }
@@ -136,16 +136,21 @@ function smallCaseText({vector, error, drawings}: SmallCase): string {
   );
 }
 
-function addReduction(parent: HTMLElement, trial: Trial, answer: Answer): void {
+function addReduction(parent: HTMLElement, trial: Trial, answer: Answer, signal: AbortSignal): void {
   element(parent, "p", {className: "hint", textContent: answer.report.findings()});
   const reduce = button(row(parent), "Reduce the case", () => {
     reduce.disabled = true;
-    void show().finally(() => (reduce.disabled = false));
+    void show()
+      .catch((error) => {
+        if (!signal.aborted) throw error;
+      })
+      .finally(() => (reduce.disabled = false));
   });
   const result = status(parent, "gpu-reduced");
   const derivation = element(parent, "div");
   const show = async () => {
-    const small = await reduceCase(trial.device, answer, trial.measured.profile);
+    const progress = (drawings: number) => result.set(`${plural(drawings, "drawing")} ...`);
+    const small = await reduceCase(trial.device, answer, trial.measured.profile, progress, signal);
     result.set(smallCaseText(small));
     showDerivation(derivation, small.vector, small.error.face, small.error.column, small.error.row);
   };
