@@ -29,6 +29,7 @@ function showError(error: unknown): void {
 /** The address behind #: the id of the lesson, then its settings as in a query, key=value, each behind "&". */
 class AddressState implements State {
   private timer = 0;
+  private address = location.hash;
 
   constructor(private readonly id: string, private readonly settings: URLSearchParams) {}
 
@@ -53,7 +54,9 @@ class AddressState implements State {
 
   private write(): void {
     this.timer = 0;
+    if (location.hash !== this.address) return; // another lesson follows: its event has not arrived
     history.replaceState(null, "", `#${this.id}&${this.settings}`);
+    this.address = location.hash;
   }
 }
 
