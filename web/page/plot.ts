@@ -33,19 +33,28 @@ const seriesColours = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#7f7f7f", "#
 
 const shortNumber = (value: number) => String(Number(value.toPrecision(3)));
 
+/** On logarithmic axes only 1, 2 and 5 times a power of ten have a label. */
+const isRound = (value: number) => /^[125]e/.test(value.toExponential());
+
 export class Plot {
   private readonly chart: Chart<"scatter">;
   private readonly points: boolean;
+  private readonly textColour: string;
 
   constructor(parent: HTMLElement, {label, x, y, logarithmicX, logarithmicY, points = false}: PlotOptions) {
     this.points = points;
     const box = element(parent, "div", {className: "plot"});
     const canvas = element(box, "canvas", {role: "img", ariaLabel: label});
     const style = getComputedStyle(parent);
+    this.textColour = style.color;
     const axis = (title: string, logarithmic = false) => ({
       type: logarithmic ? ("logarithmic" as const) : ("linear" as const),
       title: {display: true, text: title, color: style.color},
-      ticks: {color: style.color, maxTicksLimit: 8, callback: (value: string | number) => shortNumber(Number(value))},
+      ticks: {
+        color: style.color,
+        maxTicksLimit: 8,
+        callback: (value: string | number) => (logarithmic && !isRound(Number(value)) ? null : shortNumber(Number(value))),
+      },
       grid: {color: "rgb(128 128 128 / 0.25)"},
     });
     this.chart = new Chart(canvas, {
@@ -62,12 +71,15 @@ export class Plot {
   }
 
   set(series: Series[]): void {
+    const colours = series.map(({isMarked}, index) =>
+      isMarked ? this.textColour : seriesColours[index % seriesColours.length],
+    );
     this.chart.data.datasets = series.map(({name, points, isMarked}, index) => ({
       label: name,
       data: points.map(([x, y]) => ({x, y})),
       showLine: !this.points,
-      borderColor: seriesColours[index % seriesColours.length],
-      backgroundColor: seriesColours[index % seriesColours.length],
+      borderColor: colours[index],
+      backgroundColor: colours[index],
       borderWidth: 2,
       pointRadius: isMarked ? 7 : points.length > 50 && !this.points ? 0 : 3,
       pointStyle: isMarked ? "rectRot" : "circle",

@@ -45,6 +45,7 @@ export default async function check(page, {close, ok, value, until, open, addres
   const slider = page.getByRole("slider", {name: "Pixels along the side of the top face"});
   await slider.focus();
   for (let i = 0; i < 2; ++i) await page.keyboard.press("ArrowRight");
+  await until(async () => (await error()) !== coarse, "the finer row is drawn");
   ok((await error()) > 0.9 * coarse, "more pixels hardly help");
   await page.getByLabel("Subdivide patches").check();
   await until(async () => (await error()) < 0.1 * coarse, "more centres help");
@@ -53,7 +54,7 @@ export default async function check(page, {close, ok, value, until, open, addres
   await until(async () => (await value("truth")).startsWith("Trying"), "the settings are tried");
   await known();
 
-  for (const [option, verdict] of [[/^Rotation is needed/, "Not yet"], [/^The centres/, "Right"]]) {
+  for (const [option, verdict] of [[/Rotation is needed/, "Not yet"], [/The centres/, "Right"]]) {
     await page.getByLabel(option).check();
     await page.getByRole("button", {name: "Check"}).click();
     ok((await value("verdict")).startsWith(verdict), verdict);

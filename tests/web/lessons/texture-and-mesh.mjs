@@ -14,6 +14,7 @@ function rowBy(run, way) {
 
 export default async function check(page, {close, equal, ok, value, until, open, address, run}) {
   await open("power=3&resolution=128");
+  await until(async () => (await value("differences")) !== "", "the pictures are drawn");
   const [different, all] = (await value("differences")).match(/(\d+) of (\d+) pixels/).slice(1).map(Number);
   equal(all, 3 * 128 * 128, "pixels of the five faces");
   ok(different < all / 100, `${different} pixels differ`);

@@ -1,6 +1,6 @@
 // The error of a row of form factors against its time: resolution, rotation, subdivision, rays.
 import {okLch} from "../colours";
-import {button, checkbox, choice, columns, question, row, slider, sourceLink, status, text} from "../controls";
+import {button, checkbox, choice, columns, element, question, row, slider, sourceLink, status, text} from "../controls";
 import type {Elements, Row, RowSettings, Scene} from "../core";
 import type {Lesson, Page, State} from "../lesson";
 import {Plot, type Series} from "../plot";
@@ -93,12 +93,11 @@ class Source {
     this.elements = "element" in this.from ? [this.from.element] : Array.from({length: count}, (_, i) => first + i);
   }
 
-  /** Casts a part of the rays of the truth. Returns the share that is done. */
-  castSlice(): number {
+  /** Casts a part of the rays of the truth. */
+  castSlice(): void {
     const seed = this.slices.length + 1;
     this.slices.push(this.divided.row(this.from, {method: "rays", samples: truthSamples, seed}));
     if (this.slices.length === truthSlices) this.truth = meanOf(this.slices);
-    return this.slices.length / truthSlices;
   }
 
   /** Form factors less the truth. */
@@ -116,12 +115,13 @@ class Source {
 
   /** With the mean time of several rows if one is too short for the clock. */
   private row(setting: Setting): Row {
-    const settings = rowSettings(setting);
-    const row = this.divided.row(this.from, settings);
-    let total = row.milliseconds;
-    let count = 1;
-    for (; total < shortestMeasurement && count < 50; ++count)
-      total += this.divided.row(this.from, settings).milliseconds;
+    const end = performance.now() + shortestMeasurement;
+    let [row, total, count] = [null as Row | null, 0, 0];
+    while (!row || performance.now() < end) {
+      row = this.divided.row(this.from, rowSettings(setting));
+      total += row.milliseconds;
+      ++count;
+    }
     return {...row, milliseconds: total / count};
   }
 }
@@ -140,44 +140,47 @@ function meanOf(rows: Row[]): Truth {
 function errorColours(errors: Float64Array, largest: number): Float32Array {
   const colours = new Float32Array(3 * errors.length);
   errors.forEach((error, e) => {
-    const size = largest > 0 ? Math.abs(error) / largest : 0;
+    const size = largest > 0 ? Math.sqrt(Math.abs(error) / largest) : 0;
     colours.set(okLch(0.2 + 0.6 * size, 0.14 * size, error > 0 ? 0.16 : 0.7), 3 * e);
   });
   return colours;
 }
 
+const errorFormula =
+  "<math><munder><mo>∑</mo><mi>j</mi></munder><mo>|</mo><msub><mi>F</mi><mrow><mi>i</mi><mi>j</mi></mrow></msub>" +
+  "<mo>−</mo><msubsup><mi>F</mi><mrow><mi>i</mi><mi>j</mi></mrow><mtext>true</mtext></msubsup><mo>|</mo></math>";
+
 function addText(parent: HTMLElement): void {
   text(
     parent,
     "A pixel shows one element, even if it covers many: <em>resolution</em>. <em>Rotation</em>, by another angle per " +
-      "patch, turns the pattern of errors into noise. A hemicube has one centre, and the patch is not a point: " +
-      "<em>subdivision</em> (Baum, Rushmeier and Winget 1989) draws a near patch from several centres. Rays " +
-      "(Malley 1988) have neither error, but noise.",
-  );
-  text(
-    parent,
-    '<math display="block"><mtext>error</mtext><mo>=</mo><munder><mo>∑</mo><mi>j</mi></munder><mo>|</mo>' +
-      "<msub><mi>F</mi><mrow><mi>i</mi><mi>j</mi></mrow></msub><mo>−</mo>" +
-      "<msubsup><mi>F</mi><mrow><mi>i</mi><mi>j</mi></mrow><mtext>true</mtext></msubsup><mo>|</mo></math>",
+      "patch, turns the pattern of errors into noise. Light leaves all of a patch, but a hemicube has one centre: " +
+      "<em>subdivision</em> draws a near patch from several centres (Baum, Rushmeier and Winget 1989). Rays have " +
+      `neither error, but noise. The error is the sum over all elements, ${errorFormula}.`,
   );
 }
 
 /** The controls of a setting; `changed` is called after each change. */
-function addControls(parent: HTMLElement, state: State, setting: Setting, changed: () => void): void {
+function addControls(
+  parent: HTMLElement,
+  first: HTMLElement,
+  state: State,
+  setting: Setting,
+  changed: () => void,
+): void {
   const methods: [string, string][] = [
     ["hemicube", "Hemicubes"],
     ["rays", "Rays"],
   ];
-  const first = row(parent);
   choice(first, {label: "Method", options: methods, value: setting.method}, (value) => {
     setting.method = value === "rays" ? "rays" : "hemicube";
     state.set("method", value);
     showControls();
     changed();
   });
+  const boxes = row(parent);
   const power = (key: "resolution" | "samples", label: string, min: number, max: number) => {
-    const box = first.appendChild(document.createElement("div"));
-    box.style.flex = "2 1 200px";
+    const box = element(boxes, "div", {className: "power"});
     const show = (value: number) => String(2 ** value);
     slider(box, {label, min, max, step: 1, value: Math.log2(setting[key]), show}, (value) => {
       state.set(key, (setting[key] = 2 ** value));
@@ -187,18 +190,18 @@ function addControls(parent: HTMLElement, state: State, setting: Setting, change
   };
   const resolution = power("resolution", "Pixels along the side of the top face", 4, 10);
   const samples = power("samples", "Rays", 8, 18);
-  const boxes = row(parent);
-  checkbox(boxes, {label: "Rotate hemicubes", value: setting.isRotated}, (value) => {
+  const checkboxes = element(boxes, "div");
+  checkbox(checkboxes, {label: "Rotate hemicubes", value: setting.isRotated}, (value) => {
     state.set("rotated", Number((setting.isRotated = value)));
     changed();
   });
-  checkbox(boxes, {label: "Subdivide patches", value: setting.isSplit}, (value) => {
+  checkbox(checkboxes, {label: "Subdivide patches", value: setting.isSplit}, (value) => {
     state.set("split", Number((setting.isSplit = value)));
     changed();
   });
   function showControls(): void {
     const isRays = setting.method === "rays";
-    for (const box of [resolution, boxes]) box.style.display = isRays ? "none" : "";
+    for (const box of [resolution, checkboxes]) box.style.display = isRays ? "none" : "";
     samples.style.display = isRays ? "" : "none";
   }
   showControls();
@@ -233,13 +236,14 @@ function show(root: HTMLElement, {scene, state}: Page): () => void {
   const [left, right] = columns(root);
   const view = new SceneView(left, {label: "The Cornell box, coloured by the error of each element", scene: box, elements: divided});
   const legend = status(left, "legend");
-  choice(left, {label: "Light leaves", options: sources, value: state.text("source", "wall-red")}, (name) => {
+  const first = row(left);
+  choice(first, {label: "Light leaves", options: sources, value: state.text("source", "wall-red")}, (name) => {
     state.set("source", name);
     source = sourceNamed(name);
     start();
   });
-  addControls(left, state, setting, () => {
-    if (source.truth) showRow();
+  addControls(left, first, state, setting, () => {
+    if (source.truth) start();
   });
   addText(right);
   const plot = new Plot(right, {
@@ -259,7 +263,7 @@ function show(root: HTMLElement, {scene, state}: Page): () => void {
     text: "The red wall, hemicubes without subdivision: 1024 pixels instead of 64 hardly lower the error. Why?",
     options: [
       "Rotation is needed, too: the pixels form a pattern",
-      "The centres are the larger error: light leaves all of a patch, not one point",
+      "The centres are the larger error: light leaves all of a patch",
       "The truth has noise of the same size",
     ],
     right: 1,
@@ -277,16 +281,15 @@ function show(root: HTMLElement, {scene, state}: Page): () => void {
   function start(): void {
     clearTimeout(timer);
     view.mark(source.elements);
-    if (source.truth) return showRow();
-    progress.set("Casting the rays of the truth ...");
+    progress.set(source.truth ? "Drawing ..." : "Casting the rays of the truth ...");
     timer = window.setTimeout(() => {
+      if (source.truth) return showRow();
       source.castSlice();
       start();
     }, 20);
   }
 
   function showRow(): void {
-    clearTimeout(timer);
     const errors = source.errors(setting);
     const {error, milliseconds} = source.get(setting);
     const largest = errors.reduce((most, value) => Math.max(most, Math.abs(value)), 0);

@@ -6,9 +6,10 @@ import type {Lesson, Page, State} from "../lesson";
 import {Plot} from "../plot";
 import {litColours, SceneView} from "../scene_view";
 
-const elementSettings = {texels: 16, patch: 4, editable: true};
-const shotSettings = {resolution: 128, split: 1, residual: 0.01, shots: 0, editable: true};
-const exposure = 2.5; // fixed, so that a darker lamp looks darker
+// Few patches, so that an update takes less than a fifth of a second. The faces of the blocks are small.
+const elementSettings = {texels: 16, surface_texels: {"short-block": 8, "tall-block": 8}, patch: 4, editable: true};
+const shotSettings = {resolution: 64, split: 0.2, residual: 0.01, shots: 0, editable: true};
+const exposure = 3; // fixed, so that a darker lamp looks darker
 const shotsPerEdit = 200; // the rest follows in the next pictures
 const pointsOfCurve = 400;
 
@@ -119,17 +120,17 @@ class Shooting {
 }
 
 /** The radiosity of the elements, with the ambient estimate if wanted. */
-function radiosityOf({solution, info}: Shooting, elements: Elements, withAmbient: boolean): Float64Array {
+function radiosityOf({solution, info}: Shooting, withAmbient: boolean): Float64Array {
   const radiosity = solution.radiosity();
   if (!withAmbient) return radiosity;
-  for (const {first_element, element_count, reflectance} of elements.info().surfaces)
+  for (const {first_element, element_count, reflectance} of solution.elements().info().surfaces)
     for (let i = 3 * first_element; i < 3 * (first_element + element_count); ++i)
       radiosity[i] += reflectance[i % 3] * info.ambient[i % 3];
   return radiosity;
 }
 
 /** The flux that each patch has shot, W, bands summed: what it sends out less what is unshot. */
-function shotFlux({solution}: Shooting, elements: Elements, patchOf: Uint32Array): Float64Array {
+function shotFlux(solution: Solution, elements: Elements, patchOf: Uint32Array): Float64Array {
   const flux = solution.unshot().map((unshot) => -unshot);
   const radiosity = solution.radiosity();
   elements.areas().forEach((area, e) => {
@@ -172,11 +173,10 @@ const parts = [
 
 /** Where the emitted light went, as a bar and as text. */
 function energyBar(parent: HTMLElement): (info: SolutionInfo) => void {
-  const bar = element(parent, "div", {ariaHidden: "true"});
-  bar.style.cssText = "display: flex; height: 22px; font-size: 13px; line-height: 22px; overflow: hidden";
+  const bar = element(parent, "div", {className: "energy-bar", ariaHidden: "true"});
   const boxes = parts.map(([name, background, color]) => {
     const box = element(bar, "div", {textContent: name});
-    Object.assign(box.style, {background, color, overflow: "hidden", textIndent: "4px"});
+    Object.assign(box.style, {background, color});
     return box;
   });
   const account = status(parent, "energy");
@@ -189,21 +189,21 @@ function energyBar(parent: HTMLElement): (info: SolutionInfo) => void {
   };
 }
 
+const shotFormula =
+  "<math><mi>Δ</mi><msub><mi>B</mi><mi>j</mi></msub><mo>=</mo><msub><mi>ρ</mi><mi>j</mi></msub>" +
+  "<msub><mi>F</mi><mrow><mi>i</mi><mi>j</mi></mrow></msub><msub><mi>Φ</mi><mi>i</mi></msub><mo>/</mo>" +
+  "<msub><mi>A</mi><mi>j</mi></msub></math>";
+const ambientFormula =
+  "<math><mo>∑</mo><msub><mi>Φ</mi><mi>i</mi></msub><mo>/</mo><mo>∑</mo><mo stretchy='false'>(</mo><mn>1</mn><mo>−</mo>" +
+  "<msub><mi>ρ</mi><mi>j</mi></msub><mo stretchy='false'>)</mo><msub><mi>A</mi><mi>j</mi></msub></math>";
+
 function addText(right: HTMLElement): void {
   text(
     right,
     "A shot takes the patch <math><mi>i</mi></math> with the most unshot flux Φ, draws one hemicube over it, and " +
-      "gives each element <math><mi>j</mi></math> its share. The element reflects a part ρ, which is unshot in turn " +
-      "(Cohen, Chen, Wallace and Greenberg 1988):",
-  );
-  text(
-    right,
-    '<math display="block"><mi>Δ</mi><msub><mi>B</mi><mi>j</mi></msub><mo>=</mo><msub><mi>ρ</mi><mi>j</mi></msub>' +
-      "<msub><mi>F</mi><mrow><mi>i</mi><mi>j</mi></mrow></msub><msub><mi>Φ</mi><mi>i</mi></msub><mo>/</mo>" +
-      "<msub><mi>A</mi><mi>j</mi></msub><mspace width='2em'></mspace>" +
-      "<msub><mi>B</mi><mtext>ambient</mtext></msub><mo>=</mo><mo>∑</mo><msub><mi>Φ</mi><mi>i</mi></msub><mo>/</mo>" +
-      "<mo>∑</mo><mo>(</mo><mn>1</mn><mo>−</mo><msub><mi>ρ</mi><mi>j</mi></msub><mo>)</mo>" +
-      "<msub><mi>A</mi><mi>j</mi></msub></math>",
+      `gives each element <math><mi>j</mi></math> its share: ${shotFormula}. The element reflects this part, which is ` +
+      "unshot in turn. The ambient estimate spreads all unshot flux evenly, for display: " +
+      `<math><msub><mi>ρ</mi><mi>j</mi></msub></math>${ambientFormula} (Cohen, Chen, Wallace and Greenberg 1988).`,
   );
 }
 
@@ -214,8 +214,8 @@ function addQuestion(right: HTMLElement): void {
     right: 2,
     why: "Form factors depend on the geometry alone. Only the flux along known rows changes.",
   });
-  sourceLink(right, "radiosity/solver/progressive_solver.cpp", "The loop of shots");
-  sourceLink(right, "radiosity/solver/dynamic_solution.cpp", "Updates after edits (Chen 1990)");
+  sourceLink(right, "radiosity/solver/progressive_solver.cpp", "Shots");
+  sourceLink(right, "radiosity/solver/dynamic_solution.cpp", "Edits (Chen 1990)");
 }
 
 /** Sliders of one object. */
@@ -245,7 +245,7 @@ function addSceneControls(parent: HTMLElement, state: State, wanted: Changes, ch
   });
   placeSliders(sliders, state.text("object", "short-block"), state, wanted, changed);
   const walls = ["red", ...Object.keys(paints)].map((name) => [name, name] as [string, string]);
-  choice(line, {label: "Colour of the red wall", options: walls, value: wanted.wall}, (wall) => {
+  choice(line, {label: "Red wall", options: walls, value: wanted.wall}, (wall) => {
     state.set("wall", (wanted.wall = wall));
     changed();
   });
@@ -271,14 +271,13 @@ function show(root: HTMLElement, {scene, state}: Page): () => void {
   const shooting = new Shooting(box);
   const wanted = changesOf(state);
   const rate = new Rate();
-  let elements = shooting.solution.elements();
-  let patchOf = elements.patchOfElement();
   let colouring = state.text("colours", "light");
   let isAmbient = state.number("ambient", 0) === 1;
   let isRunning = false;
   let frame = 0;
 
   const [left, right] = columns(root);
+  const elements = shooting.solution.elements();
   const view = new SceneView(left, {label: "The Cornell box, lit shot by shot", scene: box, elements});
   const display = row(left);
   const colours: [string, string][] = [
@@ -290,7 +289,7 @@ function show(root: HTMLElement, {scene, state}: Page): () => void {
     state.set("colours", (colouring = value));
     draw();
   });
-  checkbox(display, {label: "Add the ambient estimate", value: isAmbient}, (value) => {
+  checkbox(display, {label: "Ambient estimate", value: isAmbient}, (value) => {
     state.set("ambient", Number((isAmbient = value)));
     draw();
   });
@@ -330,15 +329,19 @@ function show(root: HTMLElement, {scene, state}: Page): () => void {
 
   function draw(): void {
     if (colouring === "light") {
-      view.setColours(litColours(radiosityOf(shooting, elements, isAmbient), exposure));
-      legend.set("");
+      view.setColours(litColours(radiosityOf(shooting, isAmbient), exposure));
+      legend.set("Outlined: the patch that shoots next.");
     } else {
-      const flux = colouring === "unshot" ? shooting.solution.unshot() : shotFlux(shooting, elements, patchOf);
+      const {solution} = shooting;
+      const elements = solution.elements(); // patches near their receivers are split before their first shot
+      const patchOf = elements.patchOfElement();
+      const flux = colouring === "unshot" ? solution.unshot() : shotFlux(solution, elements, patchOf);
       const largest = flux.reduce((most, value) => Math.max(most, Math.abs(value)), 0);
       view.setColours(fluxColours(flux, patchOf, largest));
-      legend.set(`Yellow: ${(largest / 1000).toPrecision(3)} kW. Dark: 0. Red: negative, to be taken back.`);
+      legend.set(`Yellow: ${(largest / 1000).toPrecision(3)} kW. Dark: 0. Red: negative.`);
     }
     const {shots, info} = shooting;
+    run.textContent = isRunning ? "Pause" : "Run";
     progress.set(`${shots} shots: ${(100 * info.residual).toFixed(3)} % unshot`);
     plot.set([{name: "unshot", points: shooting.curve}]);
     showEnergy(info);
@@ -348,7 +351,6 @@ function show(root: HTMLElement, {scene, state}: Page): () => void {
   function settle(): void {
     draw();
     view.mark(isRunning ? [] : shooting.solution.brightest().elements);
-    run.textContent = isRunning ? "Pause" : "Run";
     again.disabled = wanted.lamp === 0;
     if (shooting.shots !== state.number("shots", 0)) state.set("shots", shooting.shots);
   }
@@ -368,11 +370,7 @@ function show(root: HTMLElement, {scene, state}: Page): () => void {
     if (rate.perSecond)
       pictures.set(`${rate.perSecond.toFixed(1)} pictures per second; update ${shooting.info.milliseconds.toFixed(0)} ms`);
     if (!isRunning) return settle();
-    if (edits.some(({edit}) => edit === "move")) {
-      elements = shooting.solution.elements();
-      patchOf = elements.patchOfElement();
-      view.setElements(elements);
-    }
+    if (edits.some(({edit}) => edit === "move")) view.setElements(shooting.solution.elements());
     draw();
     request();
   }

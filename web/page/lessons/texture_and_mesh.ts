@@ -1,5 +1,5 @@
 // The same elements drawn by texture and as polygons: pictures, triangles and times.
-import {button, choice, columns, question, row, slider, sourceLink, status, text} from "../controls";
+import {button, choice, columns, element, question, row, slider, sourceLink, status, text} from "../controls";
 import type {Elements, HemicubeView, Scene} from "../core";
 import type {Lesson, Page} from "../lesson";
 import {idColours, PixelCanvas} from "../pixels";
@@ -9,7 +9,7 @@ const ways = ["texture", "mesh"] as const;
 type Way = (typeof ways)[number];
 
 const largestPower = 7; // 2^7 elements along a side: a quarter of a million in all
-const repeats = 5;
+const repeats = 9;
 const differing = 0xffffff; // the ID of pixels that differ
 
 /** The scene with 2^power x 2^power elements per surface, and the element in the middle of the floor. */
@@ -112,6 +112,7 @@ function show(root: HTMLElement, {scene, state}: Page): () => void {
   };
   let power = Math.min(largestPower, Math.max(0, Math.round(state.number("power", 3))));
   let resolution = state.number("resolution", 128);
+  let timer = 0;
 
   const [left, right] = columns(root);
   const settings = row(left);
@@ -121,34 +122,32 @@ function show(root: HTMLElement, {scene, state}: Page): () => void {
     {label: "Elements per surface", min: 0, max: largestPower, step: 1, value: power, show: size},
     (value) => {
       state.set("power", (power = value));
-      showPictures();
-      showTimes();
+      requestPictures();
     },
   );
   const resolutions = [64, 128, 256, 512].map((r) => [String(r), `${r} x ${r}`] as [string, string]);
   choice(settings, {label: "Pixels of the top face", options: resolutions, value: String(resolution)}, (value) => {
     state.set("resolution", (resolution = Number(value)));
-    showPictures();
+    requestPictures();
     measurement.start(resolution);
   });
   const pictures = row(left);
   const canvases = ways.map((way) => {
-    const figure = pictures.appendChild(document.createElement("figure"));
-    figure.style.margin = "0";
+    const figure = element(pictures, "figure");
     const label = `The top face of the hemicube over the middle of the floor, by ${way}`;
     const canvas = new PixelCanvas(figure, {label, columns: resolution, rows: resolution, size: 280});
-    figure.appendChild(document.createElement("figcaption")).textContent = `By ${way}: one colour per element`;
+    element(figure, "figcaption", {textContent: `By ${way}: one colour per element`});
     return canvas;
   });
   const differences = status(left, "differences");
-  text(left, "White pixels differ: there, rounding moves the border of an element across the centre of the pixel.");
+  text(left, "White: rounding moves the border of an element across the centre of the pixel. The count is of all five faces.");
   const triangles = status(left, "triangles");
   const times = status(left, "times");
-  addText(left);
   const measured = row(left);
   button(measured, "Measure again", () => measurement.start(resolution));
   const progress = status(measured, "measurement");
 
+  addText(right);
   const logarithmic = {x: "elements", logarithmicX: true, logarithmicY: true};
   const timePlot = new Plot(right, {label: "Time of a hemicube over elements", y: "ms per hemicube", ...logarithmic});
   const trianglePlot = new Plot(right, {label: "Triangles over elements", y: "triangles", ...logarithmic});
@@ -161,7 +160,14 @@ function show(root: HTMLElement, {scene, state}: Page): () => void {
   sourceLink(right, "radiosity/index_maps/scene_draw_list.cpp", "Elements by texture");
   sourceLink(right, "radiosity/index_maps/meshed_draws.cpp", "Elements as polygons");
 
+  /** The slider does not wait for pictures of every number that it passes. */
+  function requestPictures(): void {
+    clearTimeout(timer);
+    timer = window.setTimeout(showPictures, 20);
+  }
+
   function showPictures(): void {
+    showTimes();
     const {elements, middle} = divided(power);
     const draw = (way: Way) => elements.hemicube(middle, {resolution, elements: way});
     const drawn = {texture: draw("texture"), mesh: draw("mesh")};
@@ -169,7 +175,7 @@ function show(root: HTMLElement, {scene, state}: Page): () => void {
     ways.forEach((way, i) => canvases[i].show(topColours(tops[way]), resolution, resolution));
     const byMesh = drawn.mesh.formFactors;
     const sum = drawn.texture.formFactors.reduce((total, value, e) => total + Math.abs(value - byMesh[e]), 0);
-    differences.set(`${different} of ${all} pixels of the five faces differ; form factors by ${sum.toFixed(6)} in all`);
+    differences.set(`${different} of ${all} pixels differ; form factors by ${sum.toFixed(6)} in all`);
   }
 
   function showTimes(): void {
@@ -197,9 +203,10 @@ function show(root: HTMLElement, {scene, state}: Page): () => void {
   }
 
   const measurement = new Measurement(divided, showMeasured);
-  showPictures();
+  requestPictures();
   measurement.start(resolution);
   return () => {
+    clearTimeout(timer);
     measurement.stop();
     timePlot.dispose();
     trianglePlot.dispose();
