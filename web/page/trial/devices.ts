@@ -17,7 +17,7 @@ const simulatedFaults = [
   "depth test off",
   "linear filtering",
   "affine instead of perspective interpolation",
-  "front and back exchanged",
+  "index map upside down",
   "wrap instead of clamp",
   "dithering",
 ];

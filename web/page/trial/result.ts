@@ -20,7 +20,7 @@ function showCounts(parent: HTMLElement, trial: Trial): void {
     for (const count of [exact, explained, errors]) element(line, "td", {textContent: inThousands(count)});
   };
   add("default", trial.byDefault.counts);
-  add(isMeasured(trial) ? "measured" : "measured in part", trial.measured.counts);
+  add(isMeasured(trial) ? "measured" : "partial", trial.measured.counts);
 }
 
 /** What the counts mean: the class of the device, what contradicts it, and the fault. */
