@@ -76,6 +76,7 @@ export class SceneView {
   private readonly sizeObserver: ResizeObserver;
   private readonly group = new Group();
   private surfaces: SurfaceMesh[] = [];
+  private readonly removed: SurfaceMesh[] = []; // freed after the next picture, so that their shader stays compiled
   private drawing = 0;
   private picked: ((element: number) => void) | null = null;
 
@@ -150,6 +151,7 @@ export class SceneView {
     cancelAnimationFrame(this.drawing);
     this.controls.dispose();
     this.removeSurfaces();
+    this.freeRemoved();
     this.renderer.dispose();
     this.renderer.forceContextLoss(); // browsers limit the number of contexts
     this.box.remove();
@@ -157,12 +159,16 @@ export class SceneView {
   }
 
   private removeSurfaces(): void {
-    for (const {mesh, texture} of this.surfaces) {
+    this.removed.push(...this.surfaces.splice(0));
+    this.group.clear();
+  }
+
+  private freeRemoved(): void {
+    for (const {mesh, texture} of this.removed.splice(0)) {
       mesh.geometry.dispose();
       mesh.material.dispose();
       texture.dispose();
     }
-    this.group.clear();
   }
 
   /** Calls `change` with the four bytes of each texel, from `start`. */
@@ -204,6 +210,7 @@ export class SceneView {
   private draw(): void {
     this.drawing = 0;
     this.renderer.render(this.group, this.camera);
+    this.freeRemoved();
   }
 
   /** The element at a place of the canvas; x and y in [-1, 1]. */
