@@ -2,8 +2,9 @@
 import {element} from "./controls";
 import type {Vector} from "./core";
 
+/** Integers are exact. */
 function digits(value: number): string {
-  return String(Number(value.toPrecision(6)));
+  return String(Number.isInteger(value) ? value : Number(value.toPrecision(6)));
 }
 
 function point(numbers: number[]): string {
@@ -12,16 +13,16 @@ function point(numbers: number[]): string {
 
 /** Names of the steps with their values. */
 function stepsOf(explanation: any): [string, string][] {
-  const {derivation, triangles} = explanation;
+  const {derivation} = explanation;
   if (!derivation) return [["no triangle", "none covers the sample: background"]];
-  const {corners, sample, edges, inverse_depth, u, v, texel, sums, faces_away, clip} = derivation;
+  const {corners, sample, edges, inverse_depth, u, v, texel, sums, faces_away, clip, runner_up} = derivation;
   const steps: [string, string][] = [
     ["triangle", `${derivation.triangle} of draw ${derivation.draw}${faces_away ? ", faces away" : ""}`],
     ["corners x, y, w", corners.map((corner: any) => point(corner.view)).join(" ")],
     ["snapped", corners.map((corner: any) => point(corner.snapped)).join(" ")],
     ["sample", point(sample)],
     ["edge functions", edges.map(({value, kind}: any) => (value ? digits(value) : `0 (${kind})`)).join(", ")],
-    ["1/w", digits(inverse_depth) + (triangles.length > 1 ? `, next ${digits(derivation.runner_up.inverse_depth)}` : "")],
+    ["1/w", digits(inverse_depth) + (runner_up ? `, of the next triangle ${digits(runner_up.inverse_depth)}` : "")],
   ];
   if (clip.cut_by.length) steps.splice(1, 0, ["clipped", clip.cut_by.join(", ")]);
   if (texel) {

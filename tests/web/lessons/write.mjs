@@ -1,8 +1,9 @@
-// The lesson "Write it": each step fails with its start and passes with its solution, the last one on all vectors of the
-// suite. Errors are shown with their lines, and an endless loop is ended.
+// The lesson "Write it": each step fails with its start and passes with its solution, the last one on all vectors of
+// the suite. Errors are shown with their lines, and an endless loop is ended.
 export default async function check(page, {ok, equal, value, until, address}) {
+  const verdict = /^(Passed|Not yet|\d+ of|Line|Stopped|draw)/;
   const judged = async (what) => {
-    await until(async () => /^(Passed|Not yet|\d+ of|Line|Stopped|draw)/.test(await value("result")), `verdict on ${what}`);
+    await until(async () => verdict.test(await value("result")), `verdict on ${what}`);
     return value("result");
   };
   // The verdict on the old code stands until the page starts to judge the new one.

@@ -14,7 +14,13 @@ export const hiddenDevices: HiddenDevice[] = [
     fault: "picture upside down",
     variant: "",
     vector: "five-faces",
-    others: ["y of the view flipped", "picture mirrored", "faces swapped", "index map upside down", "matrix transposed"],
+    others: [
+      "y of the view flipped",
+      "picture mirrored",
+      "faces swapped",
+      "index map upside down",
+      "matrix transposed",
+    ],
     story:
       "The OpenGL renderers of SDL reversed the rows of everything that they read back. The rows of a target texture " +
       "were in the right order already, so that its picture came out upside down (fixed in 2016).",
@@ -32,8 +38,8 @@ export const hiddenDevices: HiddenDevice[] = [
       "affine instead of perspective interpolation",
     ],
     story:
-      "Programs for Direct3D 8 and 9 shift their pictures by half a pixel to meet the pixel centres; later versions need " +
-      "no shift. d3d8to11, which translates one to the other, does not compensate for it (reported in 2025).",
+      "Programs for Direct3D 8 and 9 shift their pictures by half a pixel to meet the pixel centres; later versions " +
+      "need no shift. d3d8to11, which translates one to the other, does not compensate for it (reported in 2025).",
     source: "https://github.com/michael-fadely/d3d8to11/issues/25",
   },
   {
@@ -84,8 +90,8 @@ export const hiddenDevices: HiddenDevice[] = [
     vector: "crossing",
     others: ["linear filtering", "dithering", "wrong fill rule", "sample at the pixel corner", "blending left on"],
     story:
-      "dune3d draws the numbers of what can be selected into a picture. On macOS it was drawn with several samples per " +
-      "pixel: at edges, averages of two numbers selected a third thing (2024).",
+      "dune3d draws the numbers of what can be selected into a picture. On macOS it was drawn with several samples " +
+      "per pixel: at edges, averages of two numbers selected a third thing (2024).",
     source: "https://github.com/dune3d/dune3d/pull/79",
   },
   {
@@ -126,8 +132,8 @@ export const hiddenDevices: HiddenDevice[] = [
       "front and back exchanged",
     ],
     story:
-      "A flat triangle takes the colour of one of its corners. PPSSPP's software renderer reversed corners to cull, and " +
-      "so took the colour of another one (fixed in 2018).",
+      "A flat triangle takes the colour of one of its corners. PPSSPP's software renderer reversed corners to cull, " +
+      "and so took the colour of another one (fixed in 2018).",
     source: "https://github.com/hrydgard/ppsspp/pull/11577",
   },
 ];

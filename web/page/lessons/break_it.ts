@@ -1,9 +1,8 @@
 // Devices with a known fault: what they draw, how the diagnosis names the fault, and hidden ones to be named.
+import {differing, FaceView} from "../break_it/face_view";
 import {hiddenDevices, type HiddenDevice} from "../break_it/hidden_devices";
-import {Comparison, verdictColours} from "../comparison";
 import {button, choice, columns, element, row, sourceLink, status, text} from "../controls";
-import type {Core, ErrorPixel, ItemBuffers, Report, Vector} from "../core";
-import {showDerivation} from "../derivation";
+import type {Core, ErrorPixel, ItemBuffers, Vector} from "../core";
 import type {Lesson, Page, State} from "../lesson";
 
 const vectorNames = [
@@ -29,122 +28,20 @@ function vectorsOf(core: Core): Map<string, Vector> {
   return new Map(vectorNames.map((name) => [name, suite.get(name)!]));
 }
 
-/** What a device with this fault draws. A vector that cannot show the fault is drawn by the rules. */
+/**
+ * What a device with this fault draws. A vector that cannot show the fault is drawn by the rules.
+ * @param variant of the fault; empty: the first one
+ */
 function drawWithFault(vector: Vector, name: string, variant: string): ItemBuffers {
   const faults = vector.faults();
   const fault = faults.findIndex((known) => known.name === name);
-  const number = variant ? (faults[fault]?.variants.indexOf(variant) ?? -1) : 0;
-  return fault < 0 || number < 0 ? vector.render() : vector.drawFault(fault, number);
-}
-
-function differing(expected: ItemBuffers, found: ItemBuffers): number[] {
-  return expected.map((ids, face) => ids.reduce((sum, id, k) => sum + (id === found[face][k] ? 0 : 1), 0));
+  const variants = faults[fault]?.variants ?? [];
+  const number = variant ? variants.indexOf(variant) : 0;
+  return number in variants ? vector.drawFault(fault, number) : vector.render();
 }
 
 const sum = (numbers: number[]) => numbers.reduce((a, b) => a + b, 0);
 const pixels = (count: number) => `${count} pixel${count === 1 ? "" : "s"}`;
-
-/** The pictures of one face of a vector, and the derivation of the pixel that is selected. */
-class FaceView {
-  private readonly comparison: Comparison;
-  private readonly faceRow: HTMLElement;
-  private readonly legend: HTMLElement;
-  private readonly selection: {set(text: string): void};
-  private readonly derivation: HTMLElement;
-  private vector!: Vector;
-  private expected!: ItemBuffers;
-  private found!: ItemBuffers;
-  private face = 0;
-  private verdicts: Uint8Array[] | undefined;
-
-  constructor(pictures: HTMLElement, details: HTMLElement, private readonly core: Core) {
-    this.faceRow = row(pictures);
-    this.comparison = new Comparison(pictures, 250);
-    this.legend = element(pictures, "div");
-    this.selection = status(details, "pixel");
-    this.derivation = element(details, "div");
-    this.comparison.onSelect((column, line) => this.explain(column, line));
-  }
-
-  /** Shows the face with most differences. */
-  show(vector: Vector, expected: ItemBuffers, found: ItemBuffers): void {
-    Object.assign(this, {vector, expected, found, verdicts: undefined});
-    const counts = differing(expected, found);
-    const {faces} = vector.json();
-    this.faceRow.replaceChildren();
-    this.legend.replaceChildren();
-    this.face = counts.indexOf(Math.max(...counts));
-    if (faces.length > 1)
-      choice(
-        this.faceRow,
-        {
-          label: "Face",
-          options: faces.map(({name}, k): [string, string] => [String(k), `${name}: ${counts[k]} differ`]),
-          value: String(this.face),
-        },
-        (value) => {
-          this.face = Number(value);
-          this.draw();
-          this.selectFirst();
-        },
-      );
-    this.draw();
-    this.selectFirst();
-  }
-
-  /** Colours the differences by their verdicts. */
-  showVerdicts(report: Report): void {
-    this.legend.replaceChildren();
-    legend(this.legend);
-    this.verdicts = report.pixels();
-    this.draw();
-  }
-
-  private draw(): void {
-    const {background, faces} = this.vector.json();
-    const [, , columns, rows] = faces[this.face].scissor;
-    const [expected, found] = [this.expected[this.face], this.found[this.face]];
-    const names = this.core.verdicts();
-    const verdicts = this.verdicts?.[this.face];
-    this.comparison.show(
-      {columns, rows, background, expected, found},
-      verdicts && ((pixel) => names[verdicts[pixel]]),
-    );
-  }
-
-  /** A difference where a triangle is visible, if there is one. */
-  private selectFirst(): void {
-    const {background, faces} = this.vector.json();
-    const [expected, found] = [this.expected[this.face], this.found[this.face]];
-    const differs = (id: number, pixel: number) => id !== found[pixel];
-    const visible = expected.findIndex((id, pixel) => id !== background && differs(id, pixel));
-    const first = Math.max(0, visible < 0 ? expected.findIndex(differs) : visible);
-    const columns = faces[this.face].scissor[2];
-    const [column, line] = [first % columns, Math.floor(first / columns)];
-    this.comparison.select(column, line);
-    this.explain(column, line);
-  }
-
-  private explain(column: number, line: number): void {
-    const face = this.vector.json().faces[this.face];
-    const pixel = line * face.scissor[2] + column;
-    const [expected, found] = [this.expected[this.face][pixel], this.found[this.face][pixel]];
-    const [x, y] = [face.scissor[0] + column, face.scissor[1] + line];
-    const {background} = this.vector.json();
-    const named = (id: number) => (id === background ? "the background" : String(id));
-    this.selection.set(`column ${x}, row ${y} of ${face.name}: expected ${named(expected)}, found ${named(found)}`);
-    showDerivation(this.derivation, this.vector, face.name, x, y);
-  }
-}
-
-function legend(parent: HTMLElement): void {
-  const line = element(parent, "p", {className: "source", textContent: "Difference: "});
-  for (const [name, colour] of Object.entries(verdictColours)) {
-    const mark = element(line, "span", {className: "colour-mark"});
-    mark.style.background = `rgb(${colour.map((value) => 255 * value).join(" ")})`;
-    line.append(`${name} `);
-  }
-}
 
 function describe({kind, face, column, row: line, expected, expected_from, found, found_from}: ErrorPixel): string {
   const from = (origin: string | null) => (origin ? ` (${origin})` : "");
@@ -177,11 +74,12 @@ function breakDevice({controls, task, view}: Place, {core, state}: Page, vectors
     offerFaults();
     draw();
   });
-  const [faultBox, variantBox] = [element(bar, "div", {className: "control"}), element(bar, "div", {className: "control"})];
+  const faultBox = element(bar, "div", {className: "control"});
+  const variantBox = element(bar, "div", {className: "control"});
 
-  /** Those that the vector can show. */
+  /** Those that the vector can show: the format of its item IDs has variants of them. */
   function offerFaults(): void {
-    const faults = vector.faults();
+    const faults = vector.faults().filter(({variants}) => variants.length);
     if (!faults.some(({name}) => name === fault)) fault = faults[0].name;
     faultBox.replaceChildren();
     choice(faultBox, {label: "Fault", options: faults.map(({name}) => plain(name)), value: fault}, (name) => {
@@ -223,7 +121,8 @@ function breakDevice({controls, task, view}: Place, {core, state}: Page, vectors
     if (!differences) return diagnosis.set("Every pixel is right: this vector cannot show the fault. Try another one.");
     const report = vector.judge(found, undefined);
     view.showVerdicts(report);
-    const errors = sum(report.pixels().map((face) => face.filter((verdict) => core.verdicts()[verdict] === "error").length));
+    const wrong = core.verdicts().indexOf("error");
+    const errors = sum(report.pixels().map((face) => face.filter((verdict) => verdict === wrong).length));
     diagnosis.set(
       `${pixels(differences)} differ, ${errors} of them are errors. ` +
         (report.findings() ? `The diagnosis: ${report.findings()}` : "The diagnosis names no fault."),
@@ -358,8 +257,8 @@ export const lesson: Lesson = {
   show(root, page) {
     text(
       root,
-      "A device with a fault draws a test vector. The page compares each pixel with the rules, and draws the vector with " +
-        "about sixty known faults: the one that gives the same item IDs is the diagnosis.",
+      "A device with a fault draws a test vector. The page compares each pixel with the rules, and draws the vector " +
+        "with about sixty known faults: the one that gives the same item IDs is the diagnosis.",
     );
     const vectors = vectorsOf(page.core);
     let end: (() => void) | void;

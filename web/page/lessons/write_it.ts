@@ -65,8 +65,9 @@ function describe({vectors, passed, shown}: Judgement, step: number): string {
   const named = (id: number) => (id === view.background ? "the background" : String(id));
   const count = allSteps[step].vectors ? "" : `${passed} of ${vectors} test vectors pass. `;
   return (
-    `${count}Not yet: ${wrong} wrong pixel${wrong === 1 ? "" : "s"} in ${vector.name()}. The first: column ` +
-    `${view.column + column}, row ${view.row + line} of ${face}, expected ${named(expected[first])}, found ${named(found[first])}.`
+    `${count}Not yet: ${wrong} wrong pixel${wrong === 1 ? "" : "s"} in ${vector.name()}. The first: ` +
+    `column ${view.column + column}, row ${view.row + line} of ${face}, ` +
+    `expected ${named(expected[first])}, found ${named(found[first])}.`
   );
 }
 

@@ -2,7 +2,7 @@
 // page from disk may do.
 import type {View} from "./views";
 
-export const timeLimit = 2000; // milliseconds per vector
+const timeLimit = 2000; // milliseconds per vector
 
 /** An error in the student's code. */
 export class CodeError extends Error {

@@ -1,5 +1,5 @@
-// The steps from an empty picture to a rasterizer that passes the suite. Each has test vectors on which the solution of the
-// step before fails, and a solution.
+// The steps from an empty picture to a rasterizer that passes the suite. Each has a solution, and test vectors on which
+// the solution of the step before fails.
 //
 // The rules are those of docs/item-buffers.md. The order of steps is that of a graphics pipeline built backwards: first
 // pixels, then corners, then what a pixel holds.
@@ -70,7 +70,8 @@ const steps: {title: string; text: string; vectors: string[] | null; change: Cha
     title: "The fill rule",
     text: `A centre on the edge of two triangles must belong to one of them. The rule: to the one whose
       <em>top</em> edge (horizontal, the inside at larger rows) or <em>left</em> edge (not horizontal, the inside at
-      larger columns) it is. Row 0 counts as the top. Ask for the direction of an edge where its function is 0.`,
+      larger columns) it is. Row 0 counts as the top, though the pictures here show it at the bottom.
+      Ask for the direction of an edge where its function is 0.`,
     vectors: ["shared edges", "sample-grid-later-nearer", "sample-grid-earlier-nearer"],
     change: [[`
 // Returns`, `const isTopOrLeft = (from, to) => from.y === to.y ? to.x > from.x : to.y < from.y;
