@@ -1,8 +1,9 @@
 // Devices with a known fault: what they draw, how the diagnosis names the fault, and hidden ones to be named.
-import {differing, FaceView} from "../break_it/face_view";
 import {hiddenDevices, type HiddenDevice} from "../break_it/hidden_devices";
 import {button, choice, columns, element, row, sourceLink, status, text} from "../controls";
 import type {Core, ErrorPixel, ItemBuffers, Vector} from "../core";
+import {differing, FaceView} from "../face_view";
+import {drawWithFault} from "../faulty_device";
 import type {Lesson, Page, State} from "../lesson";
 
 const vectorNames = [
@@ -21,23 +22,13 @@ const vectorNames = [
   "near-plane-sheet",
   "backs",
   "scissors",
+  "odd-faces",
+  "edge-offsets-r5g6b5",
 ];
 
 function vectorsOf(core: Core): Map<string, Vector> {
   const suite = new Map(core.suite().map((vector) => [vector.name(), vector]));
   return new Map(vectorNames.map((name) => [name, suite.get(name)!]));
-}
-
-/**
- * What a device with this fault draws. A vector that cannot show the fault is drawn by the rules.
- * @param variant of the fault; empty: the first one
- */
-function drawWithFault(vector: Vector, name: string, variant: string): ItemBuffers {
-  const faults = vector.faults();
-  const fault = faults.findIndex((known) => known.name === name);
-  const variants = faults[fault]?.variants ?? [];
-  const number = variant ? variants.indexOf(variant) : 0;
-  return number in variants ? vector.drawFault(fault, number) : vector.render();
 }
 
 const sum = (numbers: number[]) => numbers.reduce((a, b) => a + b, 0);
@@ -116,9 +107,15 @@ function breakDevice({controls, task, view}: Place, {core, state}: Page, vectors
     timer = window.setTimeout(() => diagnose(expected, found));
   }
 
+  function advise(): string {
+    const shows = (other: Vector) => sum(differing(other.render(), drawWithFault(other, fault, "")));
+    const other = [...vectors.values()].find(shows);
+    return other ? `Try ${other.name()}.` : "";
+  }
+
   function diagnose(expected: ItemBuffers, found: ItemBuffers): void {
     const differences = sum(differing(expected, found));
-    if (!differences) return diagnosis.set("Every pixel is right: this vector cannot show the fault. Try another one.");
+    if (!differences) return diagnosis.set(`Every pixel is right: this vector cannot show the fault. ${advise()}`);
     const report = vector.judge(found, undefined);
     view.showVerdicts(report);
     const wrong = core.verdicts().indexOf("error");
@@ -231,7 +228,7 @@ function showTask(
   const [left, right] = columns(parent);
   const pictures = element(left, "div");
   const task = element(mode === "find" ? left : right, "div");
-  const view = new FaceView(pictures, element(right, "div"), page.core);
+  const view = new FaceView(pictures, element(right, "div"), page.core, 250);
   const show = mode === "find" ? findFault : breakDevice;
   return show({controls, task, view}, page, vectors);
 }

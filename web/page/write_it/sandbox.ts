@@ -20,8 +20,8 @@ export const helpers: [call: string, what: string][] = [
   ["floorOfQuotient(terms, divisors)", "the exact floor of one sum divided by another"],
 ];
 
-// Doubles decide where their rounding cannot matter: a sum has at most nine roundings of 2^-53 of the sum of absolute
-// values. Elsewhere fractions of big integers decide.
+// Doubles decide where their rounding cannot matter: a sum of six terms has at most nine roundings in a row, each of
+// 2^-53 of the sum of absolute values. Elsewhere fractions of big integers decide.
 const helperCode = `
 function roundEven(x) {
   const rounded = Math.round(x);
@@ -63,7 +63,7 @@ function signOfSum(terms) {
 }
 function floorOfQuotient(terms, divisors) {
   const over = roundedSum(terms), under = roundedSum(divisors), quotient = over.total / under.total;
-  const error = Math.abs(over.error / under.total) + Math.abs(quotient) * 2 ** -46;
+  const error = (over.error + Math.abs(quotient) * under.error) / Math.abs(under.total) + Math.abs(quotient) * 2 ** -48;
   if (Math.floor(quotient - error) === Math.floor(quotient + error)) return Math.floor(quotient);
   const [a, b] = exactSum(terms), [c, d] = exactSum(divisors), top = a * d, bottom = b * c;
   const whole = top / bottom;
