@@ -101,7 +101,7 @@ export function checkbox(
 ): {set(value: boolean): void} {
   const line = element(parent, "label", {className: "line"});
   const input = element(line, "input", {type: "checkbox", checked: value});
-  line.append(` ${label}`);
+  line.append(label);
   input.addEventListener("change", () => change(input.checked));
   return {
     set(to) {
@@ -158,7 +158,7 @@ function choices(parent: HTMLElement, options: string[], right: number): () => b
   const inputs = options.map((option, index) => {
     const line = element(parent, "label", {className: "line"});
     const input = element(line, "input", {type: "radio", name, value: String(index), required: true});
-    element(line, "span", {innerHTML: ` ${option}`});
+    element(line, "span", {innerHTML: option});
     return input;
   });
   return () => inputs[right].checked;
@@ -168,7 +168,7 @@ function numberField(
   parent: HTMLElement,
   {answer, tolerance}: {answer: () => number; tolerance: number},
 ): () => boolean {
-  const line = element(parent, "label", {className: "line", textContent: "Answer: "});
+  const line = element(parent, "label", {className: "line", textContent: "Answer:"});
   const input = element(line, "input", {type: "number", step: "any", required: true});
   return () => Math.abs(input.valueAsNumber - answer()) <= tolerance;
 }
