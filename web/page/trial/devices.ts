@@ -2,6 +2,7 @@
 import {openDevice as openWebGL2} from "../../webgl2/backend.js";
 import {openDevice as openWebGPU} from "../../webgpu/backend.js";
 import type {ItemBuffers, Vector} from "../core";
+import {drawWithFault} from "../faulty_device";
 
 export interface Device {
   name: string;
@@ -30,12 +31,6 @@ export const deviceChoices: [value: string, label: string][] = [
   ["webgpu", "this GPU, with WebGPU"],
   ...simulatedFaults.map((fault): [string, string] => [simulated + fault, `a broken device: ${fault}`]),
 ];
-
-/** The item buffers of a device with a fault. A vector that cannot show the fault is drawn by the rules. */
-function drawWithFault(vector: Vector, name: string): ItemBuffers {
-  const fault = vector.faults().findIndex((known) => known.name === name);
-  return fault < 0 ? vector.render() : vector.drawFault(fault, 0);
-}
 
 function simulatedDevice(fault: string): Device {
   return {

@@ -1,8 +1,8 @@
-// A judged vector: the expected item IDs, those of the device, the verdict per pixel, and the derivation of a pixel.
-import {Comparison, verdictColours} from "../comparison";
+// The judged vectors: pictures, verdicts, the derivation of a pixel, and the smallest case on which the device fails.
 import {button, choice, element, row, status} from "../controls";
-import type {Core, ErrorPixel, ItemBuffers, VectorFace, VectorJson} from "../core";
+import type {Core} from "../core";
 import {showDerivation} from "../derivation";
+import {FaceView} from "../face_view";
 import type {Page} from "../lesson";
 import {reduceCase, type SmallCase} from "./small_case";
 import {countsOf, summaryOf, type Answer, type Trial} from "./trial";
@@ -39,91 +39,19 @@ export function showVectors(parent: HTMLElement, {core, state}: Page, trial: Tri
   const box = element(parent, "div");
   const show = (index: number) => {
     box.replaceChildren();
-    new VectorView(box, core, all[index].answer);
+    showVector(box, core, all[index].answer);
     if (all[index].errors > 0) addReduction(box, trial, all[index].answer, signal);
   };
   show(first);
 }
 
-interface Place {
-  face: number;
-  column: number; // in the scissor rectangle
-  row: number;
-}
-
-/** The first error, else the first pixel that is not exact, else the middle of the first face. */
-function firstPlace(faces: VectorFace[], errors: ErrorPixel[], verdicts: Uint8Array[]): Place {
-  if (errors.length > 0) {
-    const face = faces.findIndex(({name}) => name === errors[0].face);
-    return {face, column: errors[0].column - faces[face].scissor[0], row: errors[0].row - faces[face].scissor[1]};
-  }
-  const face = Math.max(0, verdicts.findIndex((pixels) => pixels.some((verdict) => verdict > 0)));
-  const [, , width, height] = faces[face].scissor;
-  const pixel = verdicts[face].findIndex((verdict) => verdict > 0);
-  if (pixel < 0) return {face, column: width >> 1, row: height >> 1};
-  return {face, column: pixel % width, row: Math.floor(pixel / width)};
-}
-
-class VectorView {
-  private readonly comparison: Comparison;
-  private readonly pixelText: {set(text: string): void};
-  private readonly derivation: HTMLElement;
-  private readonly json: VectorJson;
-  private readonly verdicts: Uint8Array[];
-  private readonly expected: ItemBuffers;
-  private face: number;
-
-  constructor(parent: HTMLElement, private readonly core: Core, private readonly answer: Answer) {
-    this.json = answer.vector.json();
-    this.verdicts = answer.report.pixels();
-    this.expected = answer.report.expected();
-    const {faces} = this.json;
-    const place = firstPlace(faces, answer.report.json().errors, this.verdicts);
-    this.face = place.face;
-    element(parent, "p", {className: "hint", textContent: `Detects: ${answer.vector.catches()}.`});
-    if (faces.length > 1) {
-      const options = faces.map(({name}, k): [string, string] => [String(k), name]);
-      choice(parent, {label: "Face", options, value: String(this.face)}, (face) => this.show(Number(face), 0, 0));
-    }
-    this.comparison = new Comparison(parent, 180);
-    this.comparison.onSelect((column, line) => this.explain(column, line));
-    showLegend(parent);
-    this.pixelText = status(parent, "gpu-pixel");
-    this.derivation = element(parent, "div");
-    this.show(place.face, place.column, place.row);
-  }
-
-  private show(face: number, column: number, line: number): void {
-    this.face = face;
-    const [, , columns, rows] = this.json.faces[face].scissor;
-    const [expected, found] = [this.expected[face], this.answer.found[face]];
-    const names = this.core.verdicts();
-    this.comparison.show(
-      {columns, rows, background: this.json.background, expected, found},
-      (pixel) => names[this.verdicts[face][pixel]],
-    );
-    this.comparison.select(column, line);
-    this.explain(column, line);
-  }
-
-  private explain(column: number, line: number): void {
-    const {name, scissor} = this.json.faces[this.face];
-    const pixel = line * scissor[2] + column;
-    const [x, y] = [column + scissor[0], line + scissor[1]];
-    const verdict = this.core.verdicts()[this.verdicts[this.face][pixel]];
-    const [expected, found] = [this.expected[this.face][pixel], this.answer.found[this.face][pixel]];
-    this.pixelText.set(`column ${x}, row ${y} of ${name}: expected ${expected}, found ${found}: ${verdict}`);
-    showDerivation(this.derivation, this.answer.vector, name, x, y);
-  }
-}
-
-function showLegend(parent: HTMLElement): void {
-  const legend = element(parent, "p", {className: "hint", textContent: "Difference: "});
-  for (const [verdict, colour] of Object.entries(verdictColours)) {
-    const mark = element(legend, "span", {className: "colour-mark"});
-    mark.style.background = `rgb(${colour.map((value) => 255 * value).join(" ")})`;
-    legend.append(`${verdict} `);
-  }
+function showVector(parent: HTMLElement, core: Core, {vector, found, report}: Answer): void {
+  element(parent, "p", {className: "hint", textContent: `Detects: ${vector.catches()}.`});
+  const view = new FaceView(parent, parent, core, 180);
+  view.show(vector, report.expected(), found);
+  view.showVerdicts(report);
+  const [error] = report.json().errors;
+  if (error) view.select(error.face, error.column, error.row);
 }
 
 function smallCaseText({vector, error, drawings}: SmallCase): string {
