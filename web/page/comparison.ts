@@ -23,6 +23,12 @@ export const verdictColours: Record<string, Rgb> = {
   error: [1, 0.25, 0.2],
 };
 
+/** "expected 266, found the background" */
+export function describeIds(expected: number, found: number, background: number): string {
+  const named = (id: number) => (id === background ? "the background" : String(id));
+  return `expected ${named(expected)}, found ${named(found)}`;
+}
+
 export class Comparison {
   private readonly canvases: PixelCanvas[];
 

@@ -1,5 +1,5 @@
 // The pictures of a test vector that a device draws, one face at a time.
-import {Comparison, verdictColours} from "./comparison";
+import {Comparison, describeIds, verdictColours} from "./comparison";
 import {choice, element, row, status} from "./controls";
 import type {Core, ItemBuffers, Report, Vector} from "./core";
 import {showDerivation} from "./derivation";
@@ -112,12 +112,9 @@ export class FaceView {
     const pixel = line * face.scissor[2] + column;
     const [expected, found] = [this.expected[this.face][pixel], this.found[this.face][pixel]];
     const [x, y] = [face.scissor[0] + column, face.scissor[1] + line];
-    const {background} = this.vector.json();
-    const named = (id: number) => (id === background ? "the background" : String(id));
+    const ids = describeIds(expected, found, this.vector.json().background);
     const verdict = this.verdicts ? ` (${this.core.verdicts()[this.verdicts[this.face][pixel]]})` : "";
-    this.selection.set(
-      `column ${x}, row ${y} of ${face.name}: expected ${named(expected)}, found ${named(found)}${verdict}`,
-    );
+    this.selection.set(`column ${x}, row ${y} of ${face.name}: ${ids}${verdict}`);
     showDerivation(this.derivation, this.vector, face.name, x, y);
   }
 }

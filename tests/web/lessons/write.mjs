@@ -19,7 +19,8 @@ export default async function check(page, {ok, equal, value, until, address}) {
   for (let k = 1; k <= 12; ++k) {
     const before = await changed(press(k === 1 ? "Start code of this step" : "Next step"), `step ${k}`);
     equal(await step.inputValue(), String(k - 1), "step");
-    ok(/Not yet: \d+ wrong pixels? in .*expected .*, found .*/.test(before), `start of step ${k}: ${before}`);
+    ok(/Not yet: \d+ wrong pixels? in .*/.test(before), `start of step ${k}: ${before}`);
+    ok(/expected .*, found .*/.test(await value("pixel")), `first wrong pixel of step ${k}`);
     ok((await page.locator(".derivation tr").count()) > 0, `derivation in step ${k}`);
     const after = await changed(press("Show a solution"), `solution ${k}`);
     ok(after.startsWith("Passed: every pixel of"), `solution ${k}: ${after}`);

@@ -108,7 +108,7 @@ function breakDevice({controls, task, view}: Place, {core, state}: Page, vectors
   }
 
   function advise(): string {
-    const shows = (other: Vector) => sum(differing(other.render(), drawWithFault(other, fault, "")));
+    const shows = (other: Vector) => sum(differing(other.render(), drawWithFault(other, fault)));
     const other = [...vectors.values()].find(shows);
     return other ? `Try ${other.name()}.` : "";
   }
@@ -202,7 +202,7 @@ function findFault({controls, task, view}: Place, {state}: Page, vectors: Map<st
   /** How far a device with the guessed fault is from this one on the vector that is shown. */
   function compareGuess({fault, variant}: HiddenDevice, guess: string): string {
     const device = drawWithFault(vector, fault, variant);
-    const count = sum(differing(drawWithFault(vector, guess, ""), device));
+    const count = sum(differing(drawWithFault(vector, guess), device));
     return count
       ? `Not this one: with that fault, ${pixels(count)} of ${vector.name()} would look otherwise. Try again.`
       : `Not this one, though on ${vector.name()} it would look the same. Try another vector.`;

@@ -1,10 +1,9 @@
 // A rasterizer in the page's editor, step by step, compared with the core at every change.
-import {javascript} from "@codemirror/lang-javascript";
-import {basicSetup, EditorView} from "codemirror";
-import {Comparison} from "../comparison";
+import {Comparison, describeIds} from "../comparison";
 import {button, choice, columns, element, row, sourceLink, status, text} from "../controls";
 import {showDerivation} from "../derivation";
 import type {Lesson} from "../lesson";
+import {CodeEditor} from "../write_it/editor";
 import {judge, Tasks, type Drawn, type Judgement} from "../write_it/judge";
 import {CodeError, helpers, Sandbox} from "../write_it/sandbox";
 import {allSteps, startOf} from "../write_it/steps";
@@ -13,22 +12,6 @@ const quietTime = 300; // milliseconds from the last key to the verdict
 
 // Another lesson may be shown in between.
 let keptCode: string | undefined;
-
-function makeEditor(parent: HTMLElement, code: string, changed: () => void): EditorView {
-  return new EditorView({
-    parent: element(parent, "div", {className: "editor"}),
-    doc: code,
-    extensions: [
-      basicSetup,
-      javascript(),
-      EditorView.lineWrapping,
-      EditorView.contentAttributes.of({"aria-label": "Your rasterizer", tabindex: "0"}),
-      EditorView.updateListener.of((update) => {
-        if (update.docChanged) changed();
-      }),
-    ],
-  });
-}
 
 function describeInput(parent: HTMLElement): void {
   const box = element(parent, "details");
@@ -60,15 +43,10 @@ function describe({vectors, passed, shown}: Judgement, step: number): string {
     const next = step + 1 < allSteps.length ? ` Go on to step ${step + 2}.` : " Your rasterizer is right.";
     return `Passed: every pixel of ${vectors} test vector${vectors === 1 ? "" : "s"} is right.${next}`;
   }
-  const {vector, face, view, expected, found, wrong, first} = shown;
-  const [column, line] = place(shown);
-  const named = (id: number) => (id === view.background ? "the background" : String(id));
+  const {vector, wrong} = shown;
   const count = allSteps[step].vectors ? "" : `${passed} of ${vectors} test vectors pass. `;
-  return (
-    `${count}Not yet: ${wrong} wrong pixel${wrong === 1 ? "" : "s"} in ${vector.name()}. The first: ` +
-    `column ${view.column + column}, row ${view.row + line} of ${face}, ` +
-    `expected ${named(expected[first])}, found ${named(found[first])}.`
-  );
+  const pixels = wrong === 1 ? "1 wrong pixel" : `${wrong} wrong pixels`;
+  return `${count}Not yet: ${pixels} in ${vector.name()}. The first one is marked.`;
 }
 
 export const lesson: Lesson = {
@@ -91,21 +69,20 @@ export const lesson: Lesson = {
     );
     const instruction = text(root, "");
     const [left, right] = columns(root);
-    const editor = makeEditor(left, keptCode ?? startOf(step), () => {
-      keptCode = editor.state.doc.toString();
+    const editor = new CodeEditor(left, keptCode ?? startOf(step), startOf(step), () => {
+      keptCode = editor.code();
       clearTimeout(timer);
       timer = window.setTimeout(run, quietTime);
     });
-    const setCode = (code: string) =>
-      editor.dispatch({changes: {from: 0, to: editor.state.doc.length, insert: code}});
     const buttons = row(left);
-    button(buttons, "Start code of this step", () => setCode(startOf(step)));
-    button(buttons, "Show a solution", () => setCode(allSteps[step].solution));
+    button(buttons, "Start code of this step", () => editor.setCode(startOf(step)));
+    button(buttons, "Show a solution", () => editor.setCode(allSteps[step].solution));
     describeInput(left);
 
     const result = status(right, "result");
     const next = button(right, "Next step", () => goTo(step + 1));
     const comparison = new Comparison(right, 150);
+    const pixel = status(right, "pixel");
     const derivation = element(right, "div");
     text(
       root,
@@ -118,14 +95,18 @@ export const lesson: Lesson = {
     comparison.onSelect((column, line) => derive(column, line));
 
     function derive(column: number, line: number): void {
-      const {vector, face, view} = shown!;
-      showDerivation(derivation, vector, face, view.column + column, view.row + line);
+      if (!shown) return;
+      const {vector, face, view, expected, found} = shown;
+      const [x, y, k] = [view.column + column, view.row + line, line * view.width + column];
+      pixel.set(`column ${x}, row ${y} of ${face}: ${describeIds(expected[k], found[k], view.background)}`);
+      showDerivation(derivation, vector, face, x, y);
     }
 
     function goTo(to: number): void {
       step = to;
       state.set("step", step + 1);
       steps.set(String(step));
+      editor.setStart(startOf(step));
       void run();
     }
 
@@ -133,6 +114,7 @@ export const lesson: Lesson = {
       shown = drawn;
       const {view, expected, found} = drawn;
       comparison.show({columns: view.width, rows: view.height, background: view.background, expected, found});
+      pixel.set("");
       derivation.replaceChildren();
       if (drawn.first < 0) return;
       comparison.select(...place(drawn));
@@ -145,7 +127,7 @@ export const lesson: Lesson = {
       next.hidden = true;
       result.set("Judging ...");
       sandbox?.end();
-      const own = (sandbox = new Sandbox(editor.state.doc.toString()));
+      const own = (sandbox = new Sandbox(editor.code()));
       try {
         const judgement = await judge(own, tasks, vectors ?? tasks.suiteNames(), !vectors);
         if (own !== sandbox) return; // the code has changed
@@ -162,7 +144,7 @@ export const lesson: Lesson = {
     return () => {
       clearTimeout(timer);
       sandbox?.end();
-      editor.destroy();
+      editor.dispose();
     };
   },
 };
