@@ -10,10 +10,11 @@ import {mkdtempSync, readdirSync, readFileSync, rmSync} from "node:fs";
 import {createRequire} from "node:module";
 import {tmpdir} from "node:os";
 import {join, resolve} from "node:path";
+import {fileURLToPath} from "node:url";
 import test, {after} from "node:test";
 
 const [hemitex, coreFile] = process.argv.slice(2);
-const data = join(import.meta.dirname, "../../data");
+const data = fileURLToPath(new URL("../../data", import.meta.url));
 const folder = mkdtempSync(join(tmpdir(), "hemitex-core-"));
 after(() => rmSync(folder, {recursive: true}));
 

@@ -2,9 +2,10 @@
 import {mkdtempSync, readFileSync, rmSync, writeFileSync} from "node:fs";
 import {tmpdir} from "node:os";
 import {join} from "node:path";
+import {fileURLToPath} from "node:url";
 
 const resolution = 16;
-const lessonFile = join(import.meta.dirname, "../../../web/page/lessons/pixel.ts");
+const lessonFile = fileURLToPath(new URL("../../../web/page/lessons/pixel.ts", import.meta.url));
 const sceneText = /const sceneText = `([^`]*)`/.exec(readFileSync(lessonFile, "utf8"))[1];
 
 /** The vector of the lesson's settings, exported and drawn by the command line. */
