@@ -117,7 +117,7 @@ export const hiddenDevices: HiddenDevice[] = [
     ],
     story:
       "angrylion-rdp-plus, a renderer for emulators, passed its picture on as BGRA. On one machine red and blue came " +
-      "out exchanged; the developers suspected the graphics driver (2018).",
+      "out exchanged; a comment suspects the graphics driver (2018).",
     source: "https://github.com/ata4/angrylion-rdp-plus/issues/77",
   },
   {

@@ -58,6 +58,11 @@ export const lesson: Lesson = {
     let timer = 0;
     let sandbox: Sandbox | undefined;
 
+    text(
+      root,
+      "Write a rasterizer in twelve steps. Each begins with a wrong picture. At every change of the code the page " +
+        "compares all pixels with the rules; the last step draws the whole suite.",
+    );
     const steps = choice(
       root,
       {
