@@ -1,4 +1,5 @@
-/// Objects of the libraries that JavaScript holds. Copies of a handle share the object, which does not change.
+/// Objects of the libraries that JavaScript holds, which do not change. Its handles are shared pointers: Emscripten
+/// releases what those point to when JavaScript has dropped the handle.
 #pragma once
 
 #include <memory>
@@ -23,5 +24,9 @@ struct VectorHandle {
 
   std::shared_ptr<const reference::TestVector> vector;
 };
+
+inline std::shared_ptr<VectorHandle> handleOf(reference::TestVector vector) {
+  return std::make_shared<VectorHandle>(std::move(vector));
+}
 
 }  // namespace hemitex::web

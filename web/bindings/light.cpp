@@ -106,9 +106,10 @@ class SolutionHandle {
     });
   }
 
-  ElementsHandle elements() const {
-    return {std::make_shared<const radiosity::Scene>(scene()), elements_.settings,
-            std::make_shared<const radiosity::Discretization>(discretization())};
+  std::shared_ptr<ElementsHandle> elements() const {
+    return std::make_shared<ElementsHandle>(
+        ElementsHandle{std::make_shared<const radiosity::Scene>(scene()), elements_.settings,
+                       std::make_shared<const radiosity::Discretization>(discretization())});
   }
 
   Value shoot(int count) { return update({}, count); }

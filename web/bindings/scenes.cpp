@@ -84,7 +84,7 @@ Value sceneInfo(const SceneHandle& handle) {
                   {"warnings", scene.warnings}});
 }
 
-ElementsHandle discretize(const SceneHandle& handle, const Value& given) {
+std::shared_ptr<ElementsHandle> discretize(const SceneHandle& handle, const Value& given) {
   return guarded([&] {
     const Json settings = jsonOf(given);
     radiosity::DiscretizationSettings result;
@@ -95,9 +95,9 @@ ElementsHandle discretize(const SceneHandle& handle, const Value& given) {
         result.surfaceTexels[name] = texels.get<int>();
     result.patch = settings.value("patch", result.patch);
     result.isUnburied = settings.value("editable", false);
-    return ElementsHandle{
+    return std::make_shared<ElementsHandle>(ElementsHandle{
         handle.scene, result,
-        std::make_shared<const radiosity::Discretization>(radiosity::discretize(*handle.scene, result))};
+        std::make_shared<const radiosity::Discretization>(radiosity::discretize(*handle.scene, result))});
   });
 }
 
@@ -273,13 +273,16 @@ raster::DrawList without(const raster::DrawList& list, const std::vector<std::ui
   return kept;
 }
 
-VectorHandle vectorOver(const ElementsHandle& handle, unsigned element, const Value& settings) {
+std::shared_ptr<VectorHandle> vectorOver(const ElementsHandle& handle, unsigned element, const Value& settings) {
   return guarded([&] {
     const ElementView from(handle, element, jsonOf(settings));
+    std::vector<std::string> names;
+    if (from.drawing.projection == radiosity::ProjectionKind::Hemicube)
+      names = {"top", "side-right", "side-up", "side-left", "side-down"};
     reference::TestVector vector =
-        reference::makeVector("hemicube", "", without(from.list, from.view.skipped), from.view.faces);
+        reference::makeVector("hemicube", "", without(from.list, from.view.skipped), from.view.faces, names);
     vector.origin = from.scene.origin;
-    return VectorHandle(std::move(vector));
+    return handleOf(std::move(vector));
   });
 }
 
@@ -393,6 +396,7 @@ EMSCRIPTEN_BINDINGS(scenes) {
   using namespace emscripten;
   class_<SceneHandle>("Scene").function("info", &sceneInfo).function("discretize", &discretize);
   class_<ElementsHandle>("Elements")
+      .smart_ptr<std::shared_ptr<ElementsHandle>>("Elements")
       .function("info", &elementsInfo)
       .function("geometry", &geometryOf)
       .function("patchOfElement", &patchOfElement)

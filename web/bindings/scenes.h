@@ -12,7 +12,7 @@
 
 namespace hemitex::web {
 
-/// The elements of a scene. Copies share both, which do not change.
+/// The elements of a scene; neither changes (see handles.h).
 struct ElementsHandle {
   std::shared_ptr<const radiosity::Scene> scene;
   radiosity::DiscretizationSettings settings;

@@ -51,7 +51,7 @@ std::string bytesOf(const Value& content) {
 
 Value listOf(std::vector<TestVector> vectors) {
   Value list = Value::array();
-  for (TestVector& vector : vectors) list.call<void>("push", Value(VectorHandle(std::move(vector))));
+  for (TestVector& vector : vectors) list.call<void>("push", handleOf(std::move(vector)));
   return list;
 }
 
@@ -73,13 +73,13 @@ const reference::VectorFace& faceNamed(const TestVector& vector, const std::stri
 /// A report on a vector, which it keeps.
 struct ReportHandle {
   std::shared_ptr<const TestVector> vector;
-  std::shared_ptr<const reference::Report> report;
+  reference::Report report;
 
-  Value json() const { return toValue(reference::toJson(*report)); }
-  std::string findings() const { return reference::toText(report->findings); }
+  Value json() const { return toValue(reference::toJson(report)); }
+  std::string findings() const { return reference::toText(report.findings); }
   Value pixels() const {
     Value list = Value::array();
-    for (const reference::FaceVerdict& face : report->verdict.faces) {
+    for (const reference::FaceVerdict& face : report.verdict.faces) {
       std::vector<std::uint8_t> verdicts;
       for (const reference::PixelVerdict verdict : face.pixels) verdicts.push_back(static_cast<std::uint8_t>(verdict));
       list.call<void>("push", toArray("Uint8Array", verdicts));
@@ -88,23 +88,20 @@ struct ReportHandle {
   }
   Value expected() const {
     std::vector<raster::ItemBuffer> buffers;
-    for (const reference::FaceVerdict& face : report->verdict.faces) buffers.push_back(face.expected);
+    for (const reference::FaceVerdict& face : report.verdict.faces) buffers.push_back(face.expected);
     return toArrays(buffers);
   }
 };
 
-std::vector<reference::Report> reportsOf(const Value& handles) {
-  std::vector<reference::Report> reports;
-  for (const ReportHandle& handle : emscripten::vecFromJSArray<ReportHandle>(handles))
-    reports.push_back(*handle.report);
-  return reports;
+std::vector<std::shared_ptr<ReportHandle>> handlesOf(const Value& reports) {
+  return emscripten::vecFromJSArray<std::shared_ptr<ReportHandle>>(reports);
 }
 
-ReportHandle judge(const VectorHandle& handle, const Value& found, const Value& profile) {
+std::shared_ptr<ReportHandle> judge(const VectorHandle& handle, const Value& found, const Value& profile) {
   return guarded([&] {
     const auto buffers = buffersOf(found, reference::facesOf(*handle.vector));
-    return ReportHandle{handle.vector, std::make_shared<const reference::Report>(
-                                           reference::reportOn(*handle.vector, buffers, profileOf(profile)))};
+    return std::make_shared<ReportHandle>(
+        ReportHandle{handle.vector, reference::reportOn(*handle.vector, buffers, profileOf(profile))});
   });
 }
 
@@ -127,15 +124,15 @@ Value minimize(const VectorHandle& handle, const Value& found, const Value& prof
     result.set("error", toValue(toJson(failure.error)));
     result.set("expected", failure.expected.ids.front());
     result.set("found", failure.found.ids.front());
-    result.set("vector", Value(VectorHandle(std::move(failure.vector))));
+    result.set("vector", handleOf(std::move(failure.vector)));
     return result;
   });
 }
 
-VectorHandle reduce(const VectorHandle& handle, const Value& fails, int maxRuns) {
+std::shared_ptr<VectorHandle> reduce(const VectorHandle& handle, const Value& fails, int maxRuns) {
   return guarded([&] {
-    const auto stillFails = [&](const TestVector& vector) { return fails(VectorHandle(vector)).as<bool>(); };
-    return VectorHandle(reference::reduce(*handle.vector, stillFails, static_cast<std::size_t>(maxRuns)));
+    const auto stillFails = [&](const TestVector& vector) { return fails(handleOf(vector)).as<bool>(); };
+    return handleOf(reference::reduce(*handle.vector, stillFails, static_cast<std::size_t>(maxRuns)));
   });
 }
 
@@ -191,13 +188,13 @@ struct ProbesHandle {
   }
 };
 
-VectorHandle readVector(const Value& files) {
+std::shared_ptr<VectorHandle> readVector(const Value& files) {
   return guarded([&] {
     const Folder folder("read");
     for (const std::string& name :
          emscripten::vecFromJSArray<std::string>(Value::global("Object").call<Value>("keys", files)))
       raster::writeFile(folder.path() / name, [&](std::ostream& stream) { stream << bytesOf(files[name]); });
-    return VectorHandle(reference::readVector(folder.path()));
+    return handleOf(reference::readVector(folder.path()));
   });
 }
 
@@ -207,32 +204,33 @@ Value verdictNames() {
   return toValue(names);
 }
 
-std::string deviceClass(const Value& handles) {
+std::string deviceClass(const Value& reports) {
   return guarded([&]() -> std::string {
-    const auto reports = emscripten::vecFromJSArray<ReportHandle>(handles);
     std::vector<reference::JudgedVector> judged;
-    for (const ReportHandle& report : reports) judged.push_back({report.vector.get(), &report.report->verdict});
+    for (const auto& handle : handlesOf(reports)) judged.push_back({handle->vector.get(), &handle->report.verdict});
     const auto guess = reference::guessDeviceClass(judged);
     return guess ? reference::toText(*guess) : "";
   });
 }
 
-std::string commonFault(const Value& handles) {
+std::string commonFault(const Value& reports) {
   return guarded([&]() -> std::string {
-    const auto common = reference::commonFault(reportsOf(handles));
+    std::vector<reference::Report> copies;
+    for (const auto& handle : handlesOf(reports)) copies.push_back(handle->report);
+    const auto common = reference::commonFault(copies);
     return common ? reference::toText(*common) : "";
   });
 }
 
 /// The vectors are those of the reports, whose files a record names by their hashes.
-std::string record(const std::string& device, const std::string& driver, const Value& profile, const Value& handles) {
+std::string record(const std::string& device, const std::string& driver, const Value& profile, const Value& reports) {
   return guarded([&] {
     reference::ConformanceRecord record{
         .device = device, .driver = driver, .profile = profileOf(profile), .vectors = {}};
-    for (const ReportHandle& handle : emscripten::vecFromJSArray<ReportHandle>(handles)) {
-      const Folder folder(handle.vector->name);
-      reference::writeVector(folder.path(), *handle.vector, reference::render(*handle.vector));
-      record.vectors.push_back(reference::recordOf(*handle.report, folder.path()));
+    for (const auto& handle : handlesOf(reports)) {
+      const Folder folder(handle->vector->name);
+      reference::writeVector(folder.path(), *handle->vector, reference::render(*handle->vector));
+      record.vectors.push_back(reference::recordOf(handle->report, folder.path()));
     }
     std::sort(record.vectors.begin(), record.vectors.end(),
               [](const auto& a, const auto& b) { return a.name < b.name; });
@@ -280,11 +278,13 @@ Value VectorHandle::explain(const std::string& face, int column, int row) const 
 EMSCRIPTEN_BINDINGS(vectors) {
   using namespace emscripten;
   class_<ReportHandle>("Report")
+      .smart_ptr<std::shared_ptr<ReportHandle>>("Report")
       .function("json", &ReportHandle::json)
       .function("findings", &ReportHandle::findings)
       .function("pixels", &ReportHandle::pixels)
       .function("expected", &ReportHandle::expected);
   class_<VectorHandle>("Vector")
+      .smart_ptr<std::shared_ptr<VectorHandle>>("Vector")
       .function("name", &VectorHandle::name)
       .function("catches", &VectorHandle::catches)
       .function("json", &VectorHandle::json)
@@ -307,7 +307,7 @@ EMSCRIPTEN_BINDINGS(vectors) {
       .function("calibrate", &ProbesHandle::calibrate);
   function("suite", optional_override([] { return guarded([] { return listOf(reference::vectorSuite()); }); }));
   function("randomVector", optional_override([](unsigned seed) {
-             return guarded([&] { return VectorHandle(reference::interleavedRandomVector(0, seed)); });
+             return guarded([&] { return handleOf(reference::interleavedRandomVector(0, seed)); });
            }));
   function("readVector", &readVector);
   function("probes", optional_override([] { return ProbesHandle(); }));

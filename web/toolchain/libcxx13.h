@@ -14,6 +14,7 @@
 #include <cstring>
 #include <ranges>
 #include <string>
+#include <type_traits>
 
 /// The numbers from `first` to `last` - 1, for range-based loops.
 _LIBCPP_BEGIN_NAMESPACE_STD
@@ -62,18 +63,19 @@ inline from_chars_result from_chars(const char* first, const char* last, double&
   errno = 0;
   const double read = strtod(text.c_str(), &end);
   const char* const after = first + (end - text.c_str());
-  if (errno == ERANGE) return {after, errc::result_out_of_range};
+  if (errno == ERANGE && (read == 0 || isinf(read))) return {after, errc::result_out_of_range};
   value = read;
   return {after, errc()};
 }
 
 /// Writes the fewest digits that read back to the same bits, in the shorter of the two notations of
 /// [charconv.to.chars]; the fixed one where both are as long.
-inline to_chars_result to_chars(char* first, char* last, double value) {
+template <typename Number>
+requires is_floating_point_v<Number> to_chars_result to_chars(char* first, char* last, Number value) {
   char scientific[32], fixed[512];
   for (int digits = 0; digits < 17; ++digits) {
     snprintf(scientific, sizeof scientific, "%.*e", digits, value);
-    if (strtod(scientific, nullptr) == value) break;
+    if ((is_same_v<Number, float> ? strtof(scientific, nullptr) : strtod(scientific, nullptr)) == value) break;
   }
   const char* const exponent = strchr(scientific, 'e');
   string text = scientific;
