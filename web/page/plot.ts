@@ -53,7 +53,7 @@ export class Plot {
       ticks: {
         color: style.color,
         maxTicksLimit: 8,
-        callback: (value: string | number) => (logarithmic && !isRound(Number(value)) ? null : shortNumber(Number(value))),
+        callback: (tick: string | number) => (logarithmic && !isRound(Number(tick)) ? null : shortNumber(Number(tick))),
       },
       grid: {color: "rgb(128 128 128 / 0.25)"},
     });

@@ -1,7 +1,7 @@
 // Errors of rows of form factors against those of hemitex formfactors with the same rays as the truth.
-import {join} from "node:path";
+import {fileURLToPath} from "node:url";
 
-const scene = join(import.meta.dirname, "../../../data/cornell-box.obj");
+const scene = fileURLToPath(new URL("../../../data/cornell-box.obj", import.meta.url));
 
 function row(run, from, ...settings) {
   const table = run("formfactors", scene, "-q", "--texels", "8", "--from", from, ...settings);
@@ -11,13 +11,14 @@ function row(run, from, ...settings) {
 
 /** The mean of the rays of the lesson. */
 function truthOf(run, from) {
-  const seeds = ["1", "2", "3", "4"];
+  const seeds = Array.from({length: 8}, (_, slice) => String(slice + 1));
   const rows = seeds.map((seed) => row(run, from, "--method", "rays", "--samples", "262144", "--seed", seed));
   return rows[0].map((_, e) => rows.reduce((sum, factors) => sum + factors[e] / rows.length, 0));
 }
 
 const errorOf = (factors, truth) => factors.reduce((sum, factor, e) => sum + Math.abs(factor - truth[e]), 0);
-const hemicube = (resolution, orientation, split) => ["--resolution", resolution, "--orientation", orientation, "--split", split];
+const hemicube = (resolution, orientation, split) =>
+  ["--resolution", resolution, "--orientation", orientation, "--split", split];
 
 export default async function check(page, {close, ok, value, until, open, address, run}) {
   const known = () => until(async () => (await value("truth")).startsWith("Truth"), "the rays of the truth are cast");

@@ -1,8 +1,8 @@
 // Pixels and form factors by texture and by mesh against hemitex formfactors, triangles, and the measured times.
 import {readFileSync} from "node:fs";
-import {join} from "node:path";
+import {fileURLToPath} from "node:url";
 
-const scene = join(import.meta.dirname, "../../../data/cornell-box.obj");
+const scene = fileURLToPath(new URL("../../../data/cornell-box.obj", import.meta.url));
 
 /** The form factors of the element in the middle of the floor, 8 x 8 elements per surface. */
 function rowBy(run, way) {
@@ -25,7 +25,8 @@ export default async function check(page, {close, equal, ok, value, until, open,
   await until(async () => (await value("measurement")).startsWith("Median"), "all is measured");
   const triangles = async () =>
     (await value("triangles")).match(/(\d+) elements: (\d+) triangles by texture, (\d+) by mesh/).slice(1).map(Number);
-  const ofScene = readFileSync(scene, "utf8").match(/^f .*/gm).reduce((sum, face) => sum + face.split(" ").length - 3, 0);
+  const faces = readFileSync(scene, "utf8").match(/^f .*/gm);
+  const ofScene = faces.reduce((triangles, face) => triangles + face.split(" ").length - 3, 0);
   const [few, byTexture, byMesh] = await triangles();
   equal(byTexture, ofScene, "triangles by texture");
   ok(byMesh >= 2 * few, "triangles by mesh");

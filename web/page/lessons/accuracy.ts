@@ -7,7 +7,7 @@ import {Plot, type Series} from "../plot";
 import {SceneView} from "../scene_view";
 
 const texels = 8;
-const truthSlices = 4; // each has rays of its own seed
+const truthSlices = 8; // each has rays of its own seed
 const truthSamples = 2 ** 18; // per slice
 const split = 0.003; // the default of the command line
 const shortestMeasurement = 20; // ms
@@ -146,9 +146,10 @@ function errorColours(errors: Float64Array, largest: number): Float32Array {
   return colours;
 }
 
+const bar = "<mo stretchy='false'>|</mo>";
 const errorFormula =
-  "<math><munder><mo>∑</mo><mi>j</mi></munder><mo>|</mo><msub><mi>F</mi><mrow><mi>i</mi><mi>j</mi></mrow></msub>" +
-  "<mo>−</mo><msubsup><mi>F</mi><mrow><mi>i</mi><mi>j</mi></mrow><mtext>true</mtext></msubsup><mo>|</mo></math>";
+  `<math><munder><mo>∑</mo><mi>j</mi></munder>${bar}<msub><mi>F</mi><mrow><mi>i</mi><mi>j</mi></mrow></msub>` +
+  `<mo>−</mo><msubsup><mi>F</mi><mrow><mi>i</mi><mi>j</mi></mrow><mtext>true</mtext></msubsup>${bar}</math>`;
 
 function addText(parent: HTMLElement): void {
   text(
@@ -234,10 +235,11 @@ function show(root: HTMLElement, {scene, state}: Page): () => void {
   let timer = 0;
 
   const [left, right] = columns(root);
-  const view = new SceneView(left, {label: "The Cornell box, coloured by the error of each element", scene: box, elements: divided});
+  const label = "The Cornell box, coloured by the error of each element";
+  const view = new SceneView(left, {label, scene: box, elements: divided});
   const legend = status(left, "legend");
   const first = row(left);
-  choice(first, {label: "Light leaves", options: sources, value: state.text("source", "wall-red")}, (name) => {
+  choice(first, {label: "Source", options: sources, value: state.text("source", "wall-red")}, (name) => {
     state.set("source", name);
     source = sourceNamed(name);
     start();

@@ -194,15 +194,15 @@ const shotFormula =
   "<msub><mi>F</mi><mrow><mi>i</mi><mi>j</mi></mrow></msub><msub><mi>Φ</mi><mi>i</mi></msub><mo>/</mo>" +
   "<msub><mi>A</mi><mi>j</mi></msub></math>";
 const ambientFormula =
-  "<math><mo>∑</mo><msub><mi>Φ</mi><mi>i</mi></msub><mo>/</mo><mo>∑</mo><mo stretchy='false'>(</mo><mn>1</mn><mo>−</mo>" +
-  "<msub><mi>ρ</mi><mi>j</mi></msub><mo stretchy='false'>)</mo><msub><mi>A</mi><mi>j</mi></msub></math>";
+  "<math><mo>∑</mo><msub><mi>Φ</mi><mi>i</mi></msub><mo>/</mo><mo>∑</mo><mo stretchy='false'>(</mo><mn>1</mn>" +
+  "<mo>−</mo><msub><mi>ρ</mi><mi>j</mi></msub><mo stretchy='false'>)</mo><msub><mi>A</mi><mi>j</mi></msub></math>";
 
 function addText(right: HTMLElement): void {
   text(
     right,
-    "A shot takes the patch <math><mi>i</mi></math> with the most unshot flux Φ, draws one hemicube over it, and " +
-      `gives each element <math><mi>j</mi></math> its share: ${shotFormula}. The element reflects this part, which is ` +
-      "unshot in turn. The ambient estimate spreads all unshot flux evenly, for display: " +
+    "A shot takes the patch <math><mi>i</mi></math> with the most unshot flux Φ and draws one hemicube over it. Each " +
+      "element <math><mi>j</mi></math> reflects a part ρ of the flux that it receives. This part is unshot in turn: " +
+      `${shotFormula}. The ambient estimate spreads all unshot flux evenly, for display: ` +
       `<math><msub><mi>ρ</mi><mi>j</mi></msub></math>${ambientFormula} (Cohen, Chen, Wallace and Greenberg 1988).`,
   );
 }
@@ -342,7 +342,9 @@ function show(root: HTMLElement, {scene, state}: Page): () => void {
     }
     const {shots, info} = shooting;
     run.textContent = isRunning ? "Pause" : "Run";
-    progress.set(`${shots} shots: ${(100 * info.residual).toFixed(3)} % unshot`);
+    const isSigned = sum(info.energy.unshot) < 0.99 * info.residual * sum(info.energy.emitted);
+    const negative = isSigned ? ", negative flux counted as positive" : "";
+    progress.set(`${shots} shots: ${(100 * info.residual).toFixed(3)} % unshot${negative}`);
     plot.set([{name: "unshot", points: shooting.curve}]);
     showEnergy(info);
   }
@@ -367,8 +369,9 @@ function show(root: HTMLElement, {scene, state}: Page): () => void {
     else if (isRunning && !shooting.isDone) shooting.shoot(Math.max(1, Math.floor(shooting.shots / 16)));
     else isRunning = false;
     rate.frame(now, isRunning);
+    const {milliseconds} = shooting.info;
     if (rate.perSecond)
-      pictures.set(`${rate.perSecond.toFixed(1)} pictures per second; update ${shooting.info.milliseconds.toFixed(0)} ms`);
+      pictures.set(`${rate.perSecond.toFixed(1)} pictures per second; the last update took ${milliseconds.toFixed(0)} ms`);
     if (!isRunning) return settle();
     if (edits.some(({edit}) => edit === "move")) view.setElements(shooting.solution.elements());
     draw();

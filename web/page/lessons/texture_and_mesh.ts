@@ -97,8 +97,8 @@ function addText(parent: HTMLElement): void {
   text(
     parent,
     "The usual way before 2002 cuts each surface into one polygon per element. Nielsen and Christensen (2002) draw " +
-      "the surface's few triangles with an index map: the texel of a pixel is its element. So the number of triangles " +
-      "is that of the scene, for a hundred elements and for a million.",
+      "the surface's few triangles with an index map, whose texels are the elements. So the number of triangles is " +
+      "that of the scene, for a hundred elements and for a million.",
   );
 }
 
@@ -135,12 +135,15 @@ function show(root: HTMLElement, {scene, state}: Page): () => void {
   const canvases = ways.map((way) => {
     const figure = element(pictures, "figure");
     const label = `The top face of the hemicube over the middle of the floor, by ${way}`;
-    const canvas = new PixelCanvas(figure, {label, columns: resolution, rows: resolution, size: 280});
+    const canvas = new PixelCanvas(figure, {label, columns: resolution, rows: resolution, size: 288});
     element(figure, "figcaption", {textContent: `By ${way}: one colour per element`});
     return canvas;
   });
   const differences = status(left, "differences");
-  text(left, "White: rounding moves the border of an element across the centre of the pixel. The count is of all five faces.");
+  text(
+    left,
+    "White: rounding moves the border of an element across the centre of the pixel. All five faces count.",
+  );
   const triangles = status(left, "triangles");
   const times = status(left, "times");
   const measured = row(left);
