@@ -51,7 +51,7 @@ std::string bytesOf(const Value& content) {
 
 Value listOf(std::vector<TestVector> vectors) {
   Value list = Value::array();
-  for (TestVector& vector : vectors) list.call<void>("push", handleOf(std::move(vector)));
+  for (TestVector& vector : vectors) list.call<void>("push", Value(handleOf(std::move(vector))));
   return list;
 }
 
@@ -124,14 +124,14 @@ Value minimize(const VectorHandle& handle, const Value& found, const Value& prof
     result.set("error", toValue(toJson(failure.error)));
     result.set("expected", failure.expected.ids.front());
     result.set("found", failure.found.ids.front());
-    result.set("vector", handleOf(std::move(failure.vector)));
+    result.set("vector", Value(handleOf(std::move(failure.vector))));
     return result;
   });
 }
 
 std::shared_ptr<VectorHandle> reduce(const VectorHandle& handle, const Value& fails, int maxRuns) {
   return guarded([&] {
-    const auto stillFails = [&](const TestVector& vector) { return fails(handleOf(vector)).as<bool>(); };
+    const auto stillFails = [&](const TestVector& vector) { return fails(Value(handleOf(vector))).as<bool>(); };
     return handleOf(reference::reduce(*handle.vector, stillFails, static_cast<std::size_t>(maxRuns)));
   });
 }
