@@ -63,6 +63,7 @@ export default async function check(page, {close, equal, ok, value, until, open,
     close(found.absorbed + found.unshot + found.lost, 100, 0.02, `${what}: the parts`);
   };
 
+  await press("Start again");
   await press("One shot");
   await press("Ten shots");
   const byHand = solved(run, ["--shots", "11"], []).before;

@@ -83,14 +83,11 @@ class Source {
     private readonly divided: Elements,
     name: string,
   ) {
-    const {surfaces} = divided.info();
-    const {first_element: first, element_count: count} = surfaces.find((one) => one.name === name) ?? {
-      ...surfaces.find((one) => one.name === "wall-back")!,
-      element_count: 1,
-    };
-    const middle = (texels / 2) * texels + texels / 2;
-    this.from = name === "element" ? {element: first + middle} : {surface: name};
-    this.elements = "element" in this.from ? [this.from.element] : Array.from({length: count}, (_, i) => first + i);
+    const isElement = name === "element";
+    const surface = divided.info().surfaces.find((one) => one.name === (isElement ? "wall-back" : name))!;
+    const all = Array.from({length: surface.element_count}, (_, i) => surface.first_element + i);
+    this.elements = isElement ? [all[(texels * texels + texels) / 2]] : all;
+    this.from = isElement ? {element: this.elements[0]} : {surface: name};
   }
 
   /** Casts a part of the rays of the truth. */
@@ -164,7 +161,7 @@ function addText(parent: HTMLElement): void {
 /** The controls of a setting; `changed` is called after each change. */
 function addControls(
   parent: HTMLElement,
-  first: HTMLElement,
+  choices: HTMLElement,
   state: State,
   setting: Setting,
   changed: () => void,
@@ -173,7 +170,7 @@ function addControls(
     ["hemicube", "Hemicubes"],
     ["rays", "Rays"],
   ];
-  choice(first, {label: "Method", options: methods, value: setting.method}, (value) => {
+  choice(choices, {label: "Method", options: methods, value: setting.method}, (value) => {
     setting.method = value === "rays" ? "rays" : "hemicube";
     state.set("method", value);
     showControls();
@@ -231,20 +228,22 @@ function show(root: HTMLElement, {scene, state}: Page): () => void {
   const divided = box.discretize({texels});
   const known = new Map<string, Source>();
   const setting = settingOf(state);
-  let source = sourceNamed(state.text("source", "wall-red"));
+  const named = state.text("source", "wall-red");
+  const first = sources.some(([name]) => name === named) ? named : "wall-red";
+  let source = sourceNamed(first);
   let timer = 0;
 
   const [left, right] = columns(root);
   const label = "The Cornell box, coloured by the error of each element";
   const view = new SceneView(left, {label, scene: box, elements: divided});
   const legend = status(left, "legend");
-  const first = row(left);
-  choice(first, {label: "Source", options: sources, value: state.text("source", "wall-red")}, (name) => {
+  const choices = row(left);
+  choice(choices, {label: "Source", options: sources, value: first}, (name) => {
     state.set("source", name);
     source = sourceNamed(name);
     start();
   });
-  addControls(left, first, state, setting, () => {
+  addControls(left, choices, state, setting, () => {
     if (source.truth) start();
   });
   addText(right);

@@ -11,6 +11,7 @@ const elementSettings = {texels: 16, surface_texels: {"short-block": 8, "tall-bl
 const shotSettings = {resolution: 64, split: 0.2, residual: 0.01, shots: 0, editable: true};
 const exposure = 3; // fixed, so that a darker lamp looks darker
 const shotsPerEdit = 200; // the rest follows in the next pictures
+const shotsAtStart = 20; // the lamp has shot
 const pointsOfCurve = 400;
 
 /** Objects that move, and how far along x and z, in mm. */
@@ -93,9 +94,16 @@ class Shooting {
     this.record();
   }
 
-  shoot(count: number): void {
-    this.info = this.solution.shoot(count);
+  /** Few shots at first, so that single ones are seen, and more later. */
+  shootSome(atMost = Infinity): void {
+    this.info = this.solution.shoot(Math.min(atMost, Math.max(1, Math.floor(this.shots / 16))));
     this.record();
+  }
+
+  /** Shoots `count` times, or until little is unshot. */
+  shootAll(count: number): void {
+    const end = this.shots + count;
+    while (this.shots < end && !this.isDone) this.shootSome(end - this.shots);
   }
 
   /** Updates the light for these changes. Returns the edits. */
@@ -300,13 +308,13 @@ function show(root: HTMLElement, {scene, state}: Page): () => void {
 
   addText(right);
   const buttons = row(right);
-  const shootSome = (count: number) => {
+  const shoot = (count: number) => {
     isRunning = false;
-    shooting.shoot(count);
+    shooting.shootAll(count);
     settle();
   };
-  button(buttons, "One shot", () => shootSome(1));
-  button(buttons, "Ten shots", () => shootSome(10));
+  button(buttons, "One shot", () => shoot(1));
+  button(buttons, "Ten shots", () => shoot(10));
   const run = button(buttons, "Run", () => {
     isRunning = !isRunning;
     settle();
@@ -354,7 +362,7 @@ function show(root: HTMLElement, {scene, state}: Page): () => void {
     draw();
     view.mark(isRunning ? [] : shooting.solution.brightest().elements);
     again.disabled = wanted.lamp === 0;
-    if (shooting.shots !== state.number("shots", 0)) state.set("shots", shooting.shots);
+    if (shooting.shots !== state.number("shots", shotsAtStart)) state.set("shots", shooting.shots);
   }
 
   function request(): void {
@@ -366,7 +374,7 @@ function show(root: HTMLElement, {scene, state}: Page): () => void {
     frame = 0;
     const edits = shooting.change(wanted);
     if (edits.length) isRunning = true;
-    else if (isRunning && !shooting.isDone) shooting.shoot(Math.max(1, Math.floor(shooting.shots / 16)));
+    else if (isRunning && !shooting.isDone) shooting.shootSome();
     else isRunning = false;
     rate.frame(now, isRunning);
     const {milliseconds} = shooting.info;
@@ -378,8 +386,7 @@ function show(root: HTMLElement, {scene, state}: Page): () => void {
     request();
   }
 
-  const first = state.number("shots", 0);
-  if (first > 0) shooting.shoot(first);
+  shooting.shootAll(state.number("shots", shotsAtStart));
   settle();
   request();
   return () => {
