@@ -15,7 +15,7 @@
 #include "reference/conformance/diagnosis/fault.h"
 #include "reference/conformance/diagnosis/verdict_report.h"
 #include "reference/conformance/records/conformance_record.h"
-#include "reference/conformance/suite/vector_suite.h"
+#include "reference/conformance/scenes/scene_vectors.h"
 #include "reference/conformance/vectors/random_vectors.h"
 #include "reference/conformance/verdict/explanation.h"
 #include "reference/conformance/verdict/reduction.h"
@@ -305,7 +305,7 @@ EMSCRIPTEN_BINDINGS(vectors) {
   class_<ProbesHandle>("Probes")
       .function("vectors", &ProbesHandle::vectors)
       .function("calibrate", &ProbesHandle::calibrate);
-  function("suite", optional_override([] { return guarded([] { return listOf(reference::vectorSuite()); }); }));
+  function("suite", optional_override([] { return guarded([] { return listOf(reference::wholeSuite("/data")); }); }));
   function("randomVector", optional_override([](unsigned seed) {
              return guarded([&] { return handleOf(reference::interleavedRandomVector(0, seed)); });
            }));

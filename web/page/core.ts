@@ -260,7 +260,7 @@ export interface Elements {
 
 export interface Core {
   version(): string;
-  /** All vectors of the suite but those of scenes. */
+  /** All vectors of the suite. */
   suite(): Vector[];
   randomVector(seed: number): Vector;
   /** A vector from the files of its folder. */

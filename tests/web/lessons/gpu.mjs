@@ -1,6 +1,6 @@
 // "Your own GPU on trial": the software GPU of Chromium has no errors, and its record agrees with the command line. A
 // broken device is named, and its case reduced.
-import {mkdtempSync, readdirSync, rmSync} from "node:fs";
+import {mkdtempSync, rmSync} from "node:fs";
 import {tmpdir} from "node:os";
 import {join} from "node:path";
 
@@ -23,11 +23,10 @@ async function download(page, link, folder) {
   return file;
 }
 
-/** The suite of the command line, without the vectors of scenes, which the page has not. */
+/** The suite of the command line. */
 function writeSuite({run}, folder) {
   const suite = join(folder, "suite");
   run("vector", "suite", "-o", suite);
-  for (const name of readdirSync(suite)) if (name.startsWith("scene-")) rmSync(join(suite, name), {recursive: true});
   return suite;
 }
 
