@@ -85,15 +85,15 @@ export default async function check(page, {close, equal, ok, value, until, open,
   ok(Number.parseFloat((await value("shots")).split(":")[1]) <= 1, "converged");
 
   // A block moves: from key to key, and then with the mouse for three seconds.
-  await slider("Move along x").focus();
+  await slider("Move to the right").focus();
   for (let i = 0; i < 8; ++i) await page.keyboard.press("ArrowRight");
   await idle();
-  const moved = solved(run, ["--residual", "0.01"], [{move: "short-block", by: [40, 0, 0]}]);
+  const moved = solved(run, ["--residual", "0.01"], [{move: "short-block", by: [-40, 0, 0]}]);
   await checkEnergy(moved.after.energy, 2, "after the block moved");
   // Other work on the machine may disturb a measurement.
   let pictures = 0;
   for (let attempt = 0; attempt < 4 && pictures < minPictures; ++attempt) {
-    pictures = await picturesOfDrag(page, slider("Move along x"), value);
+    pictures = await picturesOfDrag(page, slider("Move to the right"), value);
     await idle();
   }
   ok(pictures >= minPictures, `${pictures} pictures per second`);

@@ -1,7 +1,7 @@
 // The error of a row of form factors against its time: resolution, rotation, subdivision, rays.
 import {okLch} from "../colours";
 import {button, checkbox, choice, columns, element, question, row, slider, sourceLink, status, text} from "../controls";
-import type {Elements, Row, RowSettings, Scene} from "../core";
+import type {Elements, Row, RowSettings} from "../core";
 import type {Lesson, Page, State} from "../lesson";
 import {Plot, type Series} from "../plot";
 import {SceneView} from "../scene_view";
@@ -102,7 +102,7 @@ class Source {
     const {formFactors, milliseconds} = this.row(setting);
     const errors = formFactors.map((value, e) => value - this.truth!.formFactors[e]);
     const error = errors.reduce((sum, value) => sum + Math.abs(value), 0);
-    this.tried.set(JSON.stringify(rowSettings(setting)), {setting, milliseconds, error});
+    this.tried.set(JSON.stringify(rowSettings(setting)), {setting: {...setting}, milliseconds, error});
     return errors;
   }
 
@@ -224,7 +224,7 @@ function seriesOf({tried, truth}: Source, now: Tried): Series[] {
 }
 
 function show(root: HTMLElement, {scene, state}: Page): () => void {
-  const box: Scene = scene("cornell-box");
+  const box = scene("cornell-box");
   const divided = box.discretize({texels});
   const known = new Map<string, Source>();
   const setting = settingOf(state);
@@ -257,7 +257,9 @@ function show(root: HTMLElement, {scene, state}: Page): () => void {
   const result = status(right, "error");
   const buttons = row(right);
   button(buttons, "Try all settings", () => {
-    if (source.truth) sweep(allSettings());
+    if (!source.truth) return;
+    showRow();
+    sweep(allSettings());
   });
   const progress = status(buttons, "truth");
   question(right, {

@@ -152,19 +152,19 @@ function fluxColours(flux: Float64Array, patchOf: Uint32Array, largest: number):
   const colours = new Float32Array(3 * patchOf.length);
   patchOf.forEach((patch, e) => {
     const share = largest > 0 ? flux[patch] / largest : 0;
-    colours.set(share < 0 ? [0.2 - 0.7 * share, 0.1, 0.1] : valueColour(share), 3 * e);
+    colours.set(share < 0 ? [0.06 - 0.9 * share, 0.06, 0.12] : valueColour(share), 3 * e);
   });
   return colours;
 }
 
-/** Pictures per second over the last pictures, each from its animation frame to the next one. */
+/** Pictures per second since the page was idle, at most the last 20. A picture lasts until the next animation frame. */
 class Rate {
   private times: number[] = [];
   private start = 0;
 
   /** At each animation frame; `isBusy`: it makes a picture. */
   frame(now: number, isBusy: boolean): void {
-    if (this.start) this.times = [...this.times.slice(-19), now - this.start];
+    this.times = this.start ? [...this.times.slice(-19), now - this.start] : [];
     this.start = isBusy ? now : 0;
   }
 
@@ -231,15 +231,17 @@ function placeSliders(parent: HTMLElement, name: string, state: State, wanted: C
   parent.replaceChildren();
   const object = objects.find((one) => one.name === name) ?? objects[0];
   const place = wanted.places[object.name];
-  (["x", "z"] as const).forEach((axis, i) => {
-    const [min, max] = object[axis];
-    const show = (value: number) => `${value} mm`;
-    slider(parent, {label: `Move along ${axis}`, min, max, step: 5, value: place[i], show}, (value) => {
-      place[i] = value;
-      state.set(`${object.name}-${axis}`, value);
-      changed();
-    });
-  });
+  const show = (value: number) => `${value} mm`;
+  const move = (axis: "x" | "z", to: number) => {
+    place[axis === "x" ? 0 : 1] = to;
+    state.set(`${object.name}-${axis}`, to);
+    changed();
+  };
+  // The camera looks along z, and x points to the left.
+  const toRight = {label: "Move to the right", min: -object.x[1], max: -object.x[0], step: 5, value: -place[0], show};
+  slider(parent, toRight, (value) => move("x", -value));
+  const toBack = {label: "Move to the back", min: object.z[0], max: object.z[1], step: 5, value: place[1], show};
+  slider(parent, toBack, (value) => move("z", value));
 }
 
 /** Controls that change the scene; they write into `wanted` and call `changed`. */
@@ -274,93 +276,130 @@ function addLampControls(line: HTMLElement, state: State, wanted: Changes, chang
   const lamp = checkbox(line, {label: "Lamp on", value: wanted.lamp > 0}, (isOn) => change(isOn ? whenOn : 0));
 }
 
+/** The scene in 3-D with its colours, and the controls that choose them. */
+class Picture {
+  readonly view: SceneView;
+  private colouring: string;
+  private isAmbient: boolean;
+  private readonly legend: {set(text: string): void};
+
+  constructor(
+    parent: HTMLElement,
+    scene: Scene,
+    private readonly shooting: Shooting,
+    private readonly state: State,
+  ) {
+    this.colouring = state.text("colours", "light");
+    this.isAmbient = state.number("ambient", 0) === 1;
+    const elements = shooting.solution.elements();
+    this.view = new SceneView(parent, {label: "The Cornell box, lit shot by shot", scene, elements});
+    this.addControls(row(parent));
+    this.legend = status(parent, "legend");
+  }
+
+  draw(): void {
+    if (this.colouring === "light") this.drawLight();
+    else this.drawFlux();
+  }
+
+  private drawLight(): void {
+    this.view.setColours(litColours(radiosityOf(this.shooting, this.isAmbient), exposure));
+    this.legend.set("Outlined: the patch that shoots next.");
+  }
+
+  private drawFlux(): void {
+    const {solution} = this.shooting;
+    const elements = solution.elements(); // patches near their receivers are split before their first shot
+    const patchOf = elements.patchOfElement();
+    const flux = this.colouring === "unshot" ? solution.unshot() : shotFlux(solution, elements, patchOf);
+    const largest = flux.reduce((most, value) => Math.max(most, Math.abs(value)), 0);
+    this.view.setColours(fluxColours(flux, patchOf, largest));
+    this.legend.set(`Yellow: ${(largest / 1000).toPrecision(3)} kW. Dark: 0. Red: negative.`);
+  }
+
+  private addControls(line: HTMLElement): void {
+    const options: [string, string][] = [
+      ["light", "Light"],
+      ["unshot", "Unshot flux per patch"],
+      ["shot", "Flux that each patch has shot"],
+    ];
+    choice(line, {label: "Colours", options, value: this.colouring}, (value) => {
+      this.state.set("colours", (this.colouring = value));
+      this.draw();
+    });
+    checkbox(line, {label: "Ambient estimate", value: this.isAmbient}, (value) => {
+      this.state.set("ambient", Number((this.isAmbient = value)));
+      this.draw();
+    });
+  }
+}
+
+/** How far the solution is: shots, the curve of convergence, and the account of energy. */
+class Progress {
+  readonly plot: Plot;
+  private readonly shots: {set(text: string): void};
+  private readonly showEnergy: (info: SolutionInfo) => void;
+
+  constructor(parent: HTMLElement) {
+    this.shots = status(parent, "shots");
+    this.plot = new Plot(parent, {
+      label: "Unshot flux over emitted flux, over the number of shots",
+      x: "shots",
+      y: "unshot / emitted",
+      logarithmicY: true,
+    });
+    this.showEnergy = energyBar(parent);
+  }
+
+  show({shots, info, curve}: Shooting): void {
+    const isSigned = sum(info.energy.unshot) < 0.99 * info.residual * sum(info.energy.emitted);
+    const negative = isSigned ? ", negative flux counted as positive" : "";
+    this.shots.set(`${shots} shots: ${(100 * info.residual).toFixed(3)} % unshot${negative}`);
+    this.plot.set([{name: "unshot", points: curve}]);
+    this.showEnergy(info);
+  }
+}
+
 function show(root: HTMLElement, {scene, state}: Page): () => void {
-  const box = scene("cornell-box");
-  const shooting = new Shooting(box);
+  const shooting = new Shooting(scene("cornell-box"));
   const wanted = changesOf(state);
   const rate = new Rate();
-  let colouring = state.text("colours", "light");
-  let isAmbient = state.number("ambient", 0) === 1;
   let isRunning = false;
   let frame = 0;
 
   const [left, right] = columns(root);
-  const elements = shooting.solution.elements();
-  const view = new SceneView(left, {label: "The Cornell box, lit shot by shot", scene: box, elements});
-  const display = row(left);
-  const colours: [string, string][] = [
-    ["light", "Light"],
-    ["unshot", "Unshot flux per patch"],
-    ["shot", "Flux that each patch has shot"],
-  ];
-  choice(display, {label: "Colours", options: colours, value: colouring}, (value) => {
-    state.set("colours", (colouring = value));
-    draw();
-  });
-  checkbox(display, {label: "Ambient estimate", value: isAmbient}, (value) => {
-    state.set("ambient", Number((isAmbient = value)));
-    draw();
-  });
-  const legend = status(left, "legend");
+  const picture = new Picture(left, scene("cornell-box"), shooting, state);
   addSceneControls(left, state, wanted, request);
   const pictures = status(left, "pictures-per-second");
   pictures.set("Move an object, dim the lamp, paint the wall: the light follows.");
-
   addText(right);
   const buttons = row(right);
-  const shoot = (count: number) => {
+  const pauseAnd = (action: () => void) => () => {
     isRunning = false;
-    shooting.shootAll(count);
+    action();
     settle();
   };
-  button(buttons, "One shot", () => shoot(1));
-  button(buttons, "Ten shots", () => shoot(10));
+  button(buttons, "One shot", pauseAnd(() => shooting.shootAll(1)));
+  button(buttons, "Ten shots", pauseAnd(() => shooting.shootAll(10)));
   const run = button(buttons, "Run", () => {
     isRunning = !isRunning;
     settle();
     if (isRunning) request();
   });
-  const again = button(buttons, "Start again", () => {
-    isRunning = false;
-    shooting.restart();
-    settle();
-  });
-  const progress = status(right, "shots");
-  const plot = new Plot(right, {
-    label: "Unshot flux over emitted flux, over the number of shots",
-    x: "shots",
-    y: "unshot / emitted",
-    logarithmicY: true,
-  });
-  const showEnergy = energyBar(right);
+  const again = button(buttons, "Start again", pauseAnd(() => shooting.restart()));
+  const progress = new Progress(right);
   addQuestion(right);
 
   function draw(): void {
-    if (colouring === "light") {
-      view.setColours(litColours(radiosityOf(shooting, isAmbient), exposure));
-      legend.set("Outlined: the patch that shoots next.");
-    } else {
-      const {solution} = shooting;
-      const elements = solution.elements(); // patches near their receivers are split before their first shot
-      const patchOf = elements.patchOfElement();
-      const flux = colouring === "unshot" ? solution.unshot() : shotFlux(solution, elements, patchOf);
-      const largest = flux.reduce((most, value) => Math.max(most, Math.abs(value)), 0);
-      view.setColours(fluxColours(flux, patchOf, largest));
-      legend.set(`Yellow: ${(largest / 1000).toPrecision(3)} kW. Dark: 0. Red: negative.`);
-    }
-    const {shots, info} = shooting;
+    picture.draw();
+    progress.show(shooting);
     run.textContent = isRunning ? "Pause" : "Run";
-    const isSigned = sum(info.energy.unshot) < 0.99 * info.residual * sum(info.energy.emitted);
-    const negative = isSigned ? ", negative flux counted as positive" : "";
-    progress.set(`${shots} shots: ${(100 * info.residual).toFixed(3)} % unshot${negative}`);
-    plot.set([{name: "unshot", points: shooting.curve}]);
-    showEnergy(info);
   }
 
-  /** Draws while nothing runs: with the patch that shoots next. */
+  /** Draws before and after a run: with the patch that shoots next. */
   function settle(): void {
     draw();
-    view.mark(isRunning ? [] : shooting.solution.brightest().elements);
+    picture.view.mark(isRunning ? [] : shooting.solution.brightest().elements);
     again.disabled = wanted.lamp === 0;
     if (shooting.shots !== state.number("shots", shotsAtStart)) state.set("shots", shooting.shots);
   }
@@ -377,11 +416,10 @@ function show(root: HTMLElement, {scene, state}: Page): () => void {
     else if (isRunning && !shooting.isDone) shooting.shootSome();
     else isRunning = false;
     rate.frame(now, isRunning);
-    const {milliseconds} = shooting.info;
-    if (rate.perSecond)
-      pictures.set(`${rate.perSecond.toFixed(1)} pictures per second; the last update took ${milliseconds.toFixed(0)} ms`);
+    const update = `the last update took ${shooting.info.milliseconds.toFixed(0)} ms`;
+    if (rate.perSecond) pictures.set(`${rate.perSecond.toFixed(1)} pictures per second; ${update}`);
     if (!isRunning) return settle();
-    if (edits.some(({edit}) => edit === "move")) view.setElements(shooting.solution.elements());
+    if (edits.some(({edit}) => edit === "move")) picture.view.setElements(shooting.solution.elements());
     draw();
     request();
   }
@@ -391,8 +429,8 @@ function show(root: HTMLElement, {scene, state}: Page): () => void {
   request();
   return () => {
     cancelAnimationFrame(frame);
-    plot.dispose();
-    view.dispose();
+    progress.plot.dispose();
+    picture.view.dispose();
   };
 }
 
