@@ -2,6 +2,7 @@
 import {mkdtempSync, rmSync} from "node:fs";
 import {tmpdir} from "node:os";
 import {join} from "node:path";
+import {checkSameBits} from "../same_bits.mjs";
 
 const settings = ["--texel-size", "35", "--resolution", "128", "--split", "1", "--orientation", "aligned", "--residual", "0.1"];
 
@@ -51,6 +52,7 @@ export default async function check(page, tools) {
   const [, found, foundShots, foundResidual] = text.match(/^(\d+) elements, (\d+) shots in .* ([\d.]+) %/);
   tools.equal([Number(found), Number(foundShots)], [elements, shots], "elements and shots");
   tools.close(Number(foundResidual), 100 * residual, 0.1, "residual in %");
+  await checkSameBits(page, tools);
   await checkTurning(page, tools);
   await checkAddress(page, tools);
   await checkErrors(page, tools);
