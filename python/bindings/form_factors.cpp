@@ -202,17 +202,6 @@ py::dict readMatrix(const std::filesystem::path& file) {
   return result;
 }
 
-/// The delta form factors of a face, row by row.
-std::vector<double> weightsOf(const radiosity::Projection& projection, std::size_t face) {
-  const raster::Scissor& scissor = projection.faces[face].scissor;
-  std::vector<double> weights;
-  for (int row = 0; row < scissor.height; ++row)
-    for (int column = 0; column < scissor.width; ++column)
-      weights.push_back(
-          radiosity::formFactor(radiosity::shareOf(projection, face, scissor.column + column, scissor.row + row)));
-  return weights;
-}
-
 /// The element of each item ID; -1 for the background and -2 for backs.
 std::vector<std::int64_t> elementsIn(const raster::ItemBuffer& buffer, const Elements& elements,
                                      const radiosity::IdLayout& layout) {
@@ -253,7 +242,7 @@ py::list hemicube(const SharedElements& elements, const py::object& source, cons
   py::list result;
   for (std::size_t f = 0; f < faces.size(); ++f) {
     const Shape shape{buffers[f].height, buffers[f].width};
-    py::dict face("face"_a = toDict(faces[f]), "weights"_a = toArray(weightsOf(projection, f), shape),
+    py::dict face("face"_a = toDict(faces[f]), "weights"_a = toArray(radiosity::deltaFormFactors(projection, f), shape),
                   "elements"_a = toArray(elementsIn(buffers[f], *elements, layout), shape));
     face["ids"] = toArray(std::move(buffers[f]));
     result.append(face);

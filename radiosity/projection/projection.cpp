@@ -24,6 +24,15 @@ std::uint64_t shareOf(const Projection& projection, std::size_t face, int column
   return before[place + 1] - before[place];
 }
 
+std::vector<double> deltaFormFactors(const Projection& projection, std::size_t face) {
+  const raster::Scissor& scissor = projection.faces[face].scissor;
+  std::vector<double> factors;
+  for (int row = 0; row < scissor.height; ++row)
+    for (int column = 0; column < scissor.width; ++column)
+      factors.push_back(formFactor(shareOf(projection, face, scissor.column + column, scissor.row + row)));
+  return factors;
+}
+
 std::vector<raster::Face> facesOver(std::span<const ProjectionFace> faces, const glm::dvec3& position,
                                     const glm::dvec3& normal, const glm::dvec3& up, double nearDistance) {
   const glm::dvec3 y = tangentAlong(normal, up);

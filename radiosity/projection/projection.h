@@ -58,6 +58,9 @@ std::vector<Window> wholeFaces(const Projection& projection);
 /// The share of a pixel, by its place in the face's viewport; it must lie inside the scissor rectangle.
 std::uint64_t shareOf(const Projection& projection, std::size_t face, int column, int row);
 
+/// The delta form factors of the pixels of a face's scissor rectangle, row by row.
+std::vector<double> deltaFormFactors(const Projection& projection, std::size_t face);
+
 /// The faces over a point, in their order. `position` is relative to the scene's origin, `normal` is a unit vector, and
 /// `nearDistance` is in units of the scene, above 0. If `up` is not zero, the projection is rotated about the normal so
 /// that its up direction is as near to `up` as possible.

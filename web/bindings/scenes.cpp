@@ -213,16 +213,6 @@ std::vector<std::int32_t> elementsIn(const raster::ItemBuffer& buffer, const Ele
   return numbers;
 }
 
-std::vector<double> weightsOf(const radiosity::Projection& projection, std::size_t face) {
-  const raster::Scissor& scissor = projection.faces[face].scissor;
-  std::vector<double> weights;
-  for (int row = 0; row < scissor.height; ++row)
-    for (int column = 0; column < scissor.width; ++column)
-      weights.push_back(
-          radiosity::formFactor(radiosity::shareOf(projection, face, scissor.column + column, scissor.row + row)));
-  return weights;
-}
-
 /// The form factors of all elements.
 std::vector<double> dense(const radiosity::FormFactorRow& row, std::size_t elements) {
   std::vector<double> factors(elements);
@@ -245,7 +235,7 @@ Value hemicube(const ElementsHandle& handle, unsigned element, const Value& sett
       face.set("height", scissor.height);
       face.set("ids", toArray("Uint32Array", buffers[f].ids));
       face.set("elements", toArray("Int32Array", elementsIn(buffers[f], from)));
-      face.set("weights", toArray("Float64Array", weightsOf(*from.view.projection, f)));
+      face.set("weights", toArray("Float64Array", radiosity::deltaFormFactors(*from.view.projection, f)));
       faces.call<void>("push", face);
     }
     Value result = Value::object();

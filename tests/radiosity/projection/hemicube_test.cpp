@@ -24,6 +24,16 @@ TEST_CASE("hemicube has delta form factors on its five faces that sum to exactly
   }
 }
 
+TEST_CASE("deltaFormFactors has the shares of a face row by row, from the first of its scissor rectangle",
+          "[hemicube]") {
+  const Projection projection = hemicube(8);
+  const std::vector<double> top = deltaFormFactors(projection, 0), side = deltaFormFactors(projection, 3);
+  REQUIRE(top.size() == 64);
+  REQUIRE(side.size() == 32);  // the upper half of a side
+  CHECK(top[8 * 5 + 2] == formFactor(shareOf(projection, 0, 2, 5)));
+  CHECK(side[8 * 1 + 2] == formFactor(shareOf(projection, 3, 2, 4 + 1)));
+}
+
 TEST_CASE("hemicube has the closed integrals over its pixels as delta form factors", "[hemicube]") {
   // The quadrature is exact to 1e-14, relative. The closed forms lose digits where corners cancel: four terms below
   // 1/4, each accurate to about 1e-16.
