@@ -13,8 +13,8 @@
 //        until(condition, what)          waits until the async function `condition` returns true; at most 20 s
 //        open(settings)                  loads the lesson anew with settings as in its address, for example "x=3&y=4"
 //        address()                       the settings in the address, for example "x=3&y=4"
-//        run(...arguments)               what the command line, build/release/bin/hemitex, prints; its folder is the
-//                                 repository
+//        run(...arguments)               what the command line prints; its folder is the repository. The program is
+//                                 that of the environment's HEMITEX, otherwise build/release/bin/hemitex
 import assert from "node:assert/strict";
 import {execFileSync} from "node:child_process";
 import {existsSync, mkdirSync, readFileSync} from "node:fs";
@@ -35,6 +35,7 @@ const windows = [
   {viewport: {width: 390, height: 844}, colorScheme: "dark"},
 ];
 const only = process.argv[2];
+const hemitex = process.env.HEMITEX ?? join(top, "build/release/bin/hemitex");
 
 async function until(condition, what) {
   const end = Date.now() + 20000;
@@ -58,7 +59,7 @@ function toolsOf(page, id) {
       await shown(page, id);
     },
     address: () => new URL(page.url()).hash.split("&").slice(1).join("&"),
-    run: (...args) => execFileSync(join(top, "build/release/bin/hemitex"), args, {cwd: top, encoding: "utf8"}),
+    run: (...args) => execFileSync(hemitex, args, {cwd: top, encoding: "utf8"}),
   };
 }
 
