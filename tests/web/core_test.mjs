@@ -12,6 +12,7 @@ import {tmpdir} from "node:os";
 import {join, resolve} from "node:path";
 import {fileURLToPath} from "node:url";
 import test, {after} from "node:test";
+import {fileURLToPath} from "node:url";
 
 const [hemitex, coreFile] = process.argv.slice(2);
 const data = fileURLToPath(new URL("../../data", import.meta.url));
