@@ -10,7 +10,6 @@ import {mkdtempSync, readdirSync, readFileSync, rmSync} from "node:fs";
 import {createRequire} from "node:module";
 import {tmpdir} from "node:os";
 import {join, resolve} from "node:path";
-import {fileURLToPath} from "node:url";
 import test, {after} from "node:test";
 import {fileURLToPath} from "node:url";
 
