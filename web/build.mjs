@@ -27,6 +27,15 @@ function styles() {
   return paths.map((path) => read(`web/page/${path}`)).join("");
 }
 
+/** The licences of the npm packages in a bundle, which ask to be in each copy. */
+function licences(inputs) {
+  const packages = new Set(inputs.flatMap((path) => path.match(/^.*node_modules\/(?:@[^/]+\/)?[^/]+/) ?? []));
+  return [...packages].sort().map((folder) => {
+    const name = readdirSync(folder).find((file) => /^licen[cs]e/i.test(file));
+    return `${folder.split("node_modules/").pop()}:\n${readFileSync(join(folder, name), "utf8").replaceAll("--", "- -")}`;
+  }).join("\n");
+}
+
 const bundle = await build({
   entryPoints: [join(web, "page/main.ts")],
   bundle: true,
@@ -34,12 +43,14 @@ const bundle = await build({
   format: "iife",
   target: "es2022",
   write: false,
+  metafile: true,
   define: {sceneFiles: JSON.stringify(Object.fromEntries(sceneNames.map((name) => [name, read(`data/${name}`)])))},
 });
 const parts = {
   "/*STYLE*/": styles(),
   "/*CORE*/": embedded(read("build/web/core/hemitex_core.js")),
   "/*PAGE*/": embedded(bundle.outputFiles[0].text),
+  "LICENCES": licences(Object.keys(bundle.metafile.inputs)),
 };
 // By a function: replace() expands $& and the like in a string.
 let page = read("web/page/index.html");
