@@ -1,7 +1,7 @@
 // The page: navigation over the lessons, and the settings of the lesson in the address.
 import {button, element} from "./controls";
 import {startCore, type Core, type Scene} from "./core";
-import type {Lesson, State} from "./lesson";
+import type {Lesson, Range, State} from "./lesson";
 import {lesson as accuracy} from "./lessons/accuracy";
 import {lesson as breakIt} from "./lessons/break_it";
 import {lesson as hemicube} from "./lessons/hemicube";
@@ -33,13 +33,21 @@ class AddressState implements State {
 
   constructor(private readonly id: string, private readonly settings: URLSearchParams) {}
 
-  number(key: string, otherwise: number): number {
+  number(key: string, otherwise: number, range?: Range): number {
     const value = Number.parseFloat(this.text(key, ""));
-    return Number.isFinite(value) ? value : otherwise;
+    if (!Number.isFinite(value)) return otherwise;
+    if (!range) return value;
+    const {min, max, step} = range;
+    // Twelve digits: multiples of 0.05 are those of a slider.
+    return Number((step * Math.round(Math.min(max, Math.max(min, value)) / step)).toPrecision(12));
   }
 
   text(key: string, otherwise: string): string {
     return this.settings.get(key) ?? otherwise;
+  }
+
+  option<Name extends string>(key: string, options: readonly Name[], otherwise: Name): Name {
+    return options.find((name) => name === this.settings.get(key)) ?? otherwise;
   }
 
   set(key: string, value: string | number): void {

@@ -91,6 +91,10 @@ export default async function check(page, tools) {
     await open(address());
     equal(await numbers(), before, "the same after opening the address");
     await checkQuestion(page, tools);
+
+    await open("texels=1000&format=none&x=99");
+    equal(await value("pixel-room"), "256 texels need k = 8 of 16 bits: 255 surfaces fit.", "settings out of range");
+    ok((await value("pixel-id")).startsWith("Pixel (15, 3)"), "pixel out of range");
   } finally {
     rmSync(folder, {recursive: true});
   }

@@ -2,7 +2,7 @@
 import {okLch} from "../colours";
 import {button, checkbox, choice, columns, element, question, row, slider, sourceLink, status, text} from "../controls";
 import type {Elements, Row, RowSettings} from "../core";
-import type {Lesson, Page, State} from "../lesson";
+import type {Lesson, Page, Range, State} from "../lesson";
 import {Plot, type Series} from "../plot";
 import {SceneView} from "../scene_view";
 
@@ -11,6 +11,8 @@ const truthSlices = 8; // each has rays of its own seed
 const truthSamples = 2 ** 18; // per slice
 const split = 0.003; // the default of the command line
 const shortestMeasurement = 20; // ms
+const resolutionPowers = {min: 4, max: 10, step: 1};
+const samplePowers = {min: 8, max: 18, step: 1};
 
 const sources: [name: string, label: string][] = [
   ["light", "The lamp"],
@@ -28,13 +30,18 @@ interface Setting {
   samples: number;
 }
 
+/** The nearest power of two whose exponent is in the range. */
+function powerOfTwo(value: number, {min, max}: Range): number {
+  return 2 ** Math.min(max, Math.max(min, Math.round(Math.log2(Math.max(1, value)))));
+}
+
 function settingOf(state: State): Setting {
   return {
     method: state.text("method", "hemicube") === "rays" ? "rays" : "hemicube",
-    resolution: state.number("resolution", 64),
+    resolution: powerOfTwo(state.number("resolution", 64), resolutionPowers),
     isRotated: state.number("rotated", 1) === 1,
     isSplit: state.number("split", 0) === 1,
-    samples: state.number("samples", 4096),
+    samples: powerOfTwo(state.number("samples", 4096), samplePowers),
   };
 }
 
@@ -53,10 +60,10 @@ const lines = ["aligned", "rotated", "aligned, subdivided", "rotated, subdivided
 
 function* allSettings(): Generator<Setting> {
   const common = {method: "hemicube", resolution: 0, samples: 0} as const;
-  for (let power = 4; power <= 10; ++power)
+  for (let power = resolutionPowers.min; power <= resolutionPowers.max; ++power)
     for (const isSplit of [false, true])
       for (const isRotated of [false, true]) yield {...common, resolution: 2 ** power, isSplit, isRotated};
-  for (let power = 8; power <= 18; power += 2)
+  for (let power = samplePowers.min; power <= samplePowers.max; power += 2)
     yield {...common, method: "rays", samples: 2 ** power, isSplit: false, isRotated: false};
 }
 
@@ -177,17 +184,17 @@ function addControls(
     changed();
   });
   const boxes = row(parent);
-  const power = (key: "resolution" | "samples", label: string, min: number, max: number) => {
+  const power = (key: "resolution" | "samples", label: string, powers: Range) => {
     const box = element(boxes, "div", {className: "power"});
     const show = (value: number) => String(2 ** value);
-    slider(box, {label, min, max, step: 1, value: Math.log2(setting[key]), show}, (value) => {
+    slider(box, {label, ...powers, value: Math.log2(setting[key]), show}, (value) => {
       state.set(key, (setting[key] = 2 ** value));
       changed();
     });
     return box;
   };
-  const resolution = power("resolution", "Pixels along the side of the top face", 4, 10);
-  const samples = power("samples", "Rays", 8, 18);
+  const resolution = power("resolution", "Pixels along the side of the top face", resolutionPowers);
+  const samples = power("samples", "Rays", samplePowers);
   const checkboxes = element(boxes, "div");
   checkbox(checkboxes, {label: "Rotate hemicubes", value: setting.isRotated}, (value) => {
     state.set("rotated", Number((setting.isRotated = value)));
@@ -228,8 +235,8 @@ function show(root: HTMLElement, {scene, state}: Page): () => void {
   const divided = box.discretize({texels});
   const known = new Map<string, Source>();
   const setting = settingOf(state);
-  const named = state.text("source", "wall-red");
-  const first = sources.some(([name]) => name === named) ? named : "wall-red";
+  const names = sources.map(([name]) => name);
+  const first = state.option("source", names, "wall-red");
   let source = sourceNamed(first);
   let timer = 0;
 

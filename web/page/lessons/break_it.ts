@@ -140,7 +140,7 @@ function candidates({fault, others}: HiddenDevice): string[] {
 
 /** A hidden device, and a list of faults to choose from. */
 function findFault({controls, task, view}: Place, {state}: Page, vectors: Map<string, Vector>): void {
-  let number = Math.min(hiddenDevices.length, Math.max(1, Math.round(state.number("device", 1)))) - 1;
+  let number = state.number("device", 1, {min: 1, max: hiddenDevices.length, step: 1}) - 1;
   const bar = row(controls);
   const names = hiddenDevices.map((_, k): [string, string] => [String(k), `Device ${k + 1}`]);
   choice(bar, {label: "Broken device", options: names, value: String(number)}, (value) => {
@@ -216,6 +216,8 @@ const modes: [value: string, label: string][] = [
   ["find", "Find a hidden fault"],
 ];
 
+const modeOf = (state: State) => state.option("task", modes.map(([value]) => value), "break");
+
 /** Shows one of the two tasks; returns what ends it. */
 function showTask(
   parent: HTMLElement,
@@ -235,7 +237,6 @@ function showTask(
 
 function makeModes(parent: HTMLElement, state: State, change: (mode: string) => void): void {
   const bar = row(parent);
-  const mode = state.text("task", "break");
   const buttons = modes.map(([value, label]) =>
     button(bar, label, () => {
       state.set("task", value);
@@ -245,7 +246,7 @@ function makeModes(parent: HTMLElement, state: State, change: (mode: string) => 
   );
   const press = (pressed: string) =>
     buttons.forEach((one, k) => one.setAttribute("aria-pressed", String(modes[k][0] === pressed)));
-  press(mode);
+  press(modeOf(state));
 }
 
 export const lesson: Lesson = {
@@ -264,7 +265,7 @@ export const lesson: Lesson = {
       end = showTask(task, page, vectors, mode);
     });
     const task = element(root, "div");
-    end = showTask(task, page, vectors, page.state.text("task", "break"));
+    end = showTask(task, page, vectors, modeOf(page.state));
     sourceLink(root, "reference/conformance/diagnosis/fault.h", "The faults");
     return () => end?.();
   },

@@ -11,6 +11,8 @@ import {Texels, type Texel} from "./texel_names";
 import {unfoldedHemicube, type FacePixel} from "./unfolded_hemicube";
 
 const texelsPerSide = 8;
+const resolutions = {min: 16, max: 256, step: 16};
+const angles = {min: 0, max: 90, step: 5}; // degrees
 const faceNames = ["top", "side +x", "side +y", "side -x", "side -y"];
 const hues: Record<string, number> = {
   floor: 0.72,
@@ -85,9 +87,9 @@ class HemicubeLesson {
     this.surfaces = [...new Set(surfaces.map((_, surface) => this.texels.whole(surface)))];
     this.colours = Array.from({length: elements}, (_, element) => this.colourOf(element));
     this.from = this.texels.named(state.text("from", "")) ?? {surface: 0, column: 3, row: 1};
-    this.resolution = state.number("resolution", 64);
+    this.resolution = state.number("resolution", 64, resolutions);
     this.byShare = state.text("colours", "elements") === "shares";
-    this.foldedBy = state.number("fold", 0);
+    this.foldedBy = state.number("fold", 0, angles);
 
     element(root, "style", {textContent: style});
     const [left, right] = columns(root);
@@ -144,7 +146,7 @@ class HemicubeLesson {
   }
 
   private addSettings(parent: HTMLElement): void {
-    const pixels = {label: "Resolution R", min: 16, max: 256, step: 16, value: this.resolution};
+    const pixels = {label: "Resolution R", ...resolutions, value: this.resolution};
     slider(parent, pixels, (to) => this.setResolution(to));
     const options: [string, string][] = [["elements", "elements"], ["shares", "delta form factors"]];
     choice(parent, {label: "Colours", options, value: this.byShare ? "shares" : "elements"}, (to) => {
@@ -152,7 +154,7 @@ class HemicubeLesson {
       this.state.set("colours", to);
       this.paint();
     });
-    const fold = {label: "Fold", min: 0, max: 90, step: 5, value: this.foldedBy, show: (to: number) => `${to}°`};
+    const fold = {label: "Fold", ...angles, value: this.foldedBy, show: (to: number) => `${to}°`};
     slider(parent, fold, (to) => {
       this.foldedBy = to;
       this.state.set("fold", to);

@@ -7,6 +7,8 @@ import {PixelCanvas} from "../pixels";
 import {bytesOf, cssColour, texelColour} from "./element_colours";
 
 const resolution = 16;
+const pixels = {min: 0, max: resolution - 1, step: 1};
+const sides = {min: 2, max: 16, step: 1}; // texels along a side of an index map
 
 // Three surfaces over a patch. The board meets the ceiling, and the tile is below both.
 const sceneText = `v -1.2 2 -2
@@ -176,7 +178,6 @@ function addition(format: string, sums: ChannelSum[], decimal: [offset: number, 
     </tbody></table>`;
 }
 
-const pixelNumber = (value: number) => Math.min(resolution - 1, Math.max(0, Math.round(value)));
 const rounded = (value: number) => String(Number(value.toPrecision(4)));
 
 function derivationText(drawn: Drawn, format: string, {derivation, word}: Explanation): string {
@@ -210,6 +211,7 @@ function lossText({layout, exact}: Drawn, {column, row, word}: Explanation): str
 
 class PixelLesson {
   private readonly scene: Scene;
+  private readonly formats: string[];
   private readonly settings: Settings;
   private readonly picture: PixelCanvas;
   private readonly overlay = document.createElementNS("http://www.w3.org/2000/svg", "svg");
@@ -224,13 +226,14 @@ class PixelLesson {
   private drawn: Drawn;
 
   constructor(root: HTMLElement, private readonly core: Core, private readonly state: State) {
+    this.formats = core.formats().map(({name}) => name);
     this.settings = {
-      format: state.text("format", "r5g6b5"),
-      texels: state.number("texels", 5),
+      format: state.option("format", this.formats, "r5g6b5"),
+      texels: state.number("texels", 5, sides),
       aligned: state.number("aligned", 1) === 1,
     };
-    this.column = pixelNumber(state.number("x", 7));
-    this.row = pixelNumber(state.number("y", 3));
+    this.column = state.number("x", 7, pixels);
+    this.row = state.number("y", 3, pixels);
     this.scene = core.loadScene({"scene.obj": sceneText}, "scene.obj");
     this.drawn = draw(this.scene, this.settings);
 
@@ -280,10 +283,10 @@ class PixelLesson {
 
   private addControls(parent: HTMLElement): void {
     const {format, texels, aligned} = this.settings;
-    const options = this.core.formats().map(({name}): [string, string] => [name, name]);
+    const options = this.formats.map((name): [string, string] => [name, name]);
     choice(parent, {label: "Format", options, value: format}, (to) => this.change({format: to}));
-    const side = {label: "Texels", min: 2, max: 16, step: 1, value: texels, show: (n: number) => `${n} x ${n}`};
-    slider(parent, side, (to) => this.change({texels: to}));
+    const show = (side: number) => `${side} x ${side}`;
+    slider(parent, {label: "Texels", ...sides, value: texels, show}, (to) => this.change({texels: to}));
     checkbox(parent, {label: "Aligned offsets", value: aligned}, (to) => this.change({aligned: to}));
   }
 

@@ -26,6 +26,8 @@ const paints: Record<string, Vec3> = {
   white: [0.74, 0.74, 0.75],
   black: [0.02, 0.02, 0.02],
 };
+const walls = ["red", ...Object.keys(paints)];
+const emissions = {min: 0, max: 2, step: 0.05}; // over that of the file
 
 /** The changes of the scene that the learner asks for. */
 interface Changes {
@@ -35,8 +37,13 @@ interface Changes {
 }
 
 function changesOf(state: State): Changes {
-  const places = objects.map(({name}) => [name, [state.number(`${name}-x`, 0), state.number(`${name}-z`, 0)]]);
-  return {places: Object.fromEntries(places), lamp: state.number("lamp", 1), wall: state.text("wall", "red")};
+  const number = (key: string, [min, max]: readonly [number, number]) => state.number(key, 0, {min, max, step: 5});
+  const places = objects.map(({name, x, z}) => [name, [number(`${name}-x`, x), number(`${name}-z`, z)]]);
+  return {
+    places: Object.fromEntries(places),
+    lamp: state.number("lamp", 1, emissions),
+    wall: state.option("wall", walls, "red"),
+  };
 }
 
 const unchanged: Changes = {
@@ -229,7 +236,7 @@ function addQuestion(right: HTMLElement): void {
 /** Sliders of one object. */
 function placeSliders(parent: HTMLElement, name: string, state: State, wanted: Changes, changed: () => void): void {
   parent.replaceChildren();
-  const object = objects.find((one) => one.name === name) ?? objects[0];
+  const object = objects.find((one) => one.name === name)!;
   const place = wanted.places[object.name];
   const show = (value: number) => `${value} mm`;
   const move = (axis: "x" | "z", to: number) => {
@@ -249,13 +256,14 @@ function addSceneControls(parent: HTMLElement, state: State, wanted: Changes, ch
   const line = row(parent);
   const sliders = row(parent);
   const options = objects.map(({name, label}) => [name, label] as [string, string]);
-  choice(line, {label: "Object", options, value: state.text("object", "short-block")}, (name) => {
+  const shown = state.option("object", objects.map(({name}) => name), "short-block");
+  choice(line, {label: "Object", options, value: shown}, (name) => {
     state.set("object", name);
     placeSliders(sliders, name, state, wanted, changed);
   });
-  placeSliders(sliders, state.text("object", "short-block"), state, wanted, changed);
-  const walls = ["red", ...Object.keys(paints)].map((name) => [name, name] as [string, string]);
-  choice(line, {label: "Red wall", options: walls, value: wanted.wall}, (wall) => {
+  placeSliders(sliders, shown, state, wanted, changed);
+  const colours = walls.map((name) => [name, name] as [string, string]);
+  choice(line, {label: "Red wall", options: colours, value: wanted.wall}, (wall) => {
     state.set("wall", (wanted.wall = wall));
     changed();
   });
@@ -272,9 +280,11 @@ function addLampControls(line: HTMLElement, state: State, wanted: Changes, chang
     dimmer.set(to);
     changed();
   };
-  const dimmer = slider(line, {label: "Emission", min: 0, max: 2, step: 0.05, value: wanted.lamp, show}, change);
+  const dimmer = slider(line, {label: "Emission", ...emissions, value: wanted.lamp, show}, change);
   const lamp = checkbox(line, {label: "Lamp on", value: wanted.lamp > 0}, (isOn) => change(isOn ? whenOn : 0));
 }
+
+const colourings = {light: "Light", unshot: "Unshot flux per patch", shot: "Flux that each patch has shot"};
 
 /** The scene in 3-D with its colours, and the controls that choose them. */
 class Picture {
@@ -289,7 +299,7 @@ class Picture {
     private readonly shooting: Shooting,
     private readonly state: State,
   ) {
-    this.colouring = state.text("colours", "light");
+    this.colouring = state.option("colours", Object.keys(colourings), "light");
     this.isAmbient = state.number("ambient", 0) === 1;
     const elements = shooting.solution.elements();
     this.view = new SceneView(parent, {label: "The Cornell box, lit shot by shot", scene, elements});
@@ -318,12 +328,7 @@ class Picture {
   }
 
   private addControls(line: HTMLElement): void {
-    const options: [string, string][] = [
-      ["light", "Light"],
-      ["unshot", "Unshot flux per patch"],
-      ["shot", "Flux that each patch has shot"],
-    ];
-    choice(line, {label: "Colours", options, value: this.colouring}, (value) => {
+    choice(line, {label: "Colours", options: Object.entries(colourings), value: this.colouring}, (value) => {
       this.state.set("colours", (this.colouring = value));
       this.draw();
     });

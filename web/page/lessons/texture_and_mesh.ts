@@ -9,6 +9,8 @@ const ways = ["texture", "mesh"] as const;
 type Way = (typeof ways)[number];
 
 const largestPower = 7; // 2^7 elements along a side: a quarter of a million in all
+const powers = {min: 0, max: largestPower, step: 1};
+const resolutions = ["64", "128", "256", "512"];
 const repeats = 9;
 const differing = 0xffffff; // the ID of pixels that differ
 
@@ -110,8 +112,8 @@ function show(root: HTMLElement, {scene, state}: Page): () => void {
     known.set(power, elements);
     return elements;
   };
-  let power = Math.min(largestPower, Math.max(0, Math.round(state.number("power", 3))));
-  let resolution = state.number("resolution", 128);
+  let power = state.number("power", 3, powers);
+  let resolution = Number(state.option("resolution", resolutions, "128"));
   let timer = 0;
 
   const [left, right] = columns(root);
@@ -119,14 +121,14 @@ function show(root: HTMLElement, {scene, state}: Page): () => void {
   const size = (value: number) => `${2 ** value} x ${2 ** value}`;
   slider(
     settings,
-    {label: "Elements per surface", min: 0, max: largestPower, step: 1, value: power, show: size},
+    {label: "Elements per surface", ...powers, value: power, show: size},
     (value) => {
       state.set("power", (power = value));
       requestPictures();
     },
   );
-  const resolutions = [64, 128, 256, 512].map((r) => [String(r), `${r} x ${r}`] as [string, string]);
-  choice(settings, {label: "Pixels of the top face", options: resolutions, value: String(resolution)}, (value) => {
+  const options = resolutions.map((r): [string, string] => [r, `${r} x ${r}`]);
+  choice(settings, {label: "Pixels of the top face", options, value: String(resolution)}, (value) => {
     state.set("resolution", (resolution = Number(value)));
     requestPictures();
     measurement.start(resolution);

@@ -54,7 +54,7 @@ export const lesson: Lesson = {
   title: "7. Write it",
   show(root, {core, state}) {
     const tasks = new Tasks(core);
-    let step = Math.min(allSteps.length, Math.max(1, Math.round(state.number("step", 1)))) - 1;
+    let step = state.number("step", 1, {min: 1, max: allSteps.length, step: 1}) - 1;
     let timer = 0;
     let sandbox: Sandbox | undefined;
 

@@ -38,7 +38,7 @@ function addQuestion(parent: HTMLElement): void {
 
 /** The choice of a device and the button that judges it. Returns what ends the trial. */
 function addControls(root: HTMLElement, page: Page, showIn: () => HTMLElement[]): () => void {
-  let chosen = page.state.text("device", "webgl2");
+  let chosen = page.state.option("device", deviceChoices.map(([value]) => value), "webgl2");
   let trial = new AbortController(); // aborted when the next one starts, and at the end of the lesson
 
   const judge = async (signal: AbortSignal) => {
