@@ -287,18 +287,27 @@ std::vector<DrawnTriangle> fewestTriangles(std::vector<DrawnTriangle> kept,
 }
 
 TestVector reduce(TestVector vector, const Fails& fails, std::size_t maxRuns) {
+  struct OutOfRuns {};
+  TestVector smallest = vector;
   const Fails failsWithin = [&, runs = std::size_t{0}](const TestVector& smaller) mutable {
-    return runs++ < maxRuns && fails(smaller);
+    if (runs++ == maxRuns) throw OutOfRuns();
+    if (!fails(smaller)) return false;
+    smallest = smaller;
+    return true;
   };
-  for (bool isSmaller = true; isSmaller;) {
-    isSmaller = keepOneFace(vector, failsWithin);
-    isSmaller |= removeTriangles(vector, failsWithin);
-    isSmaller |= removePixels(vector, failsWithin);
-    isSmaller |= removeTexels(vector, failsWithin);
-    isSmaller |= mergeVertices(vector, failsWithin);
-    isSmaller |= removeVertices(vector, failsWithin);
+  try {
+    for (bool isSmaller = true; isSmaller;) {
+      isSmaller = keepOneFace(vector, failsWithin);
+      isSmaller |= removeTriangles(vector, failsWithin);
+      isSmaller |= removePixels(vector, failsWithin);
+      isSmaller |= removeTexels(vector, failsWithin);
+      isSmaller |= mergeVertices(vector, failsWithin);
+      isSmaller |= removeVertices(vector, failsWithin);
+    }
+  } catch (const OutOfRuns&) {
+    // The passes would still build thousands of smaller vectors.
   }
-  return vector;
+  return smallest;
 }
 
 MinimalFailure minimize(const TestVector& vector, const Verdict& verdict, const DeviceProfile& profile) {
