@@ -286,10 +286,11 @@ export interface Core {
 /** An error of the input, with advice. */
 export class InputError extends Error {}
 
-declare const startedCore: Promise<{[name: string]: unknown}>;
+declare const startedCore: Promise<{[name: string]: unknown}> | undefined; // without WebAssembly
 
-/** The WebAssembly module. A script before this one starts it. Conformance records need SHA-256. */
+/** The WebAssembly module; throws if the browser does not run it. A script before this one starts it. Conformance records need SHA-256. */
 export async function startCore(): Promise<Core> {
-  const functions = await startedCore;
+  const functions = await startedCore?.catch(() => undefined); // the console has the reason
+  if (!functions) throw new Error("This page needs WebAssembly with SIMD, and this browser does not run it.");
   return Object.assign(functions, {sha256: (bytes: Uint8Array) => bytesToHex(sha256(bytes))}) as unknown as Core;
 }

@@ -121,7 +121,7 @@ async function main(): Promise<void> {
   makeNavigation();
   window.addEventListener("error", (event) => showError(event.error ?? event.message));
   window.addEventListener("unhandledrejection", (event) => showError(event.reason));
-  const core = await startCore();
+  const core = await startCore().finally(() => root.replaceChildren());
   let scene: Scene | undefined;
   const cornellBox = () => (scene ??= core.loadScene(sceneFiles, "cornell-box.obj"));
   window.addEventListener("hashchange", () => show(core, cornellBox));

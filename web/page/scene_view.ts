@@ -70,7 +70,7 @@ export class SceneView {
   readonly canvas: HTMLCanvasElement;
   private readonly box: HTMLElement;
   private readonly hint: HTMLElement;
-  private readonly renderer: WebGLRenderer;
+  private readonly renderer: WebGLRenderer | undefined; // none without WebGL2: the rest of the lesson still works
   private readonly camera: PerspectiveCamera;
   private readonly controls: OrbitControls;
   private readonly sizeObserver: ResizeObserver;
@@ -87,7 +87,9 @@ export class SceneView {
     child(this.box, "div", {className: "centre-cross"});
     this.hint = child(parent, "p", {className: "hint"});
     this.hint.textContent = "Drag or arrow keys: turn. Wheel, two fingers, + or -: zoom.";
-    this.renderer = new WebGLRenderer({canvas: this.canvas, antialias: true, alpha: true});
+    const context = this.canvas.getContext("webgl2");
+    if (context) this.renderer = new WebGLRenderer({canvas: this.canvas, context});
+    else this.showNoView();
     this.camera = new PerspectiveCamera();
     // Before the listeners of OrbitControls, so that a drag that picks does not turn the view.
     this.listen();
@@ -152,10 +154,15 @@ export class SceneView {
     this.controls.dispose();
     this.removeSurfaces();
     this.freeRemoved();
-    this.renderer.dispose();
-    this.renderer.forceContextLoss(); // browsers limit the number of contexts
+    this.renderer?.dispose();
+    this.renderer?.forceContextLoss(); // browsers limit the number of contexts
     this.box.remove();
     this.hint.remove();
+  }
+
+  private showNoView(): void {
+    this.canvas.hidden = this.hint.hidden = true;
+    child(this.box, "p", {textContent: "The view in 3-D needs WebGL2. This browser has none, or it is switched off."});
   }
 
   private removeSurfaces(): void {
@@ -196,8 +203,8 @@ export class SceneView {
   private resize(): void {
     const {clientWidth: width, clientHeight: height} = this.box;
     if (!width || !height) return;
-    this.renderer.setPixelRatio(Math.min(2, devicePixelRatio));
-    this.renderer.setSize(width, height, false);
+    this.renderer?.setPixelRatio(Math.min(2, devicePixelRatio));
+    this.renderer?.setSize(width, height, false);
     this.camera.aspect = width / height;
     this.camera.updateProjectionMatrix();
     this.draw(); // at once: a canvas with a new size is blank
@@ -209,7 +216,7 @@ export class SceneView {
 
   private draw(): void {
     this.drawing = 0;
-    this.renderer.render(this.group, this.camera);
+    this.renderer?.render(this.group, this.camera);
     this.freeRemoved();
   }
 
