@@ -95,6 +95,33 @@ test("an editable solution shoots, and its flux balances", () => {
 });
 
 test("wrong input is an error of JavaScript with the message of the library", () => {
-  assert.throws(() => box.discretize({texels: 0}), /texels/);
   assert.throws(() => core.loadScene({"a.obj": "v 0 0 x\n"}, "a.obj"), /a\.obj:1/);
+  assert.throws(() => core.loadScene({"a.gltf": "{}"}, "a.gltf"), /glTF/);
+  assert.throws(() => box.discretize({texels: 0}), /texels/);
+  const elements = box.discretize({texels: 4, editable: true});
+  assert.throws(() => elements.hemicube(1e6, {}), /no element 1000000/);
+  for (const [settings, message] of [[{resolution: 15}, /even/], [{format: "x"}, /format/], [{elements: "x"}, /elements/],
+    [{blend: "replace"}, /no blend/]])
+    assert.throws(() => elements.hemicube(0, settings), message);
+  assert.throws(() => elements.row({surface: "x"}, {}), /no surface/);
+  for (const [settings, message] of [[{method: "x"}, /no method/], [{method: "rays", samples: 0}, /rays/]])
+    assert.throws(() => elements.row({element: 0}, settings), message);
+  assert.throws(() => elements.solve({shots: -1}), /shots/);
+  const solution = elements.solve({editable: true, shots: 1, resolution: 16});
+  assert.throws(() => solution.edit([{edit: "x", name: "floor"}], 1), /no edit/);
+  assert.throws(() => solution.shoot(0), /shots/);
+  assert.equal(solution.shoot(1).shots, 1);
+});
+
+test("wrong item buffers, faces, pixels and faults are errors of JavaScript", () => {
+  const vector = core.suite()[0];
+  assert.throws(() => core.readVector({}), /vector\.json/);
+  assert.throws(() => vector.explain("x", 0, 0), /no face/);
+  assert.throws(() => vector.explain(vector.json().faces[0].name, -1, 0), /no pixel/);
+  assert.throws(() => vector.judge([], {}), /one item buffer per face/);
+  assert.throws(() => vector.judge([new Uint32Array(3)], {}), /size of its face/);
+  assert.throws(() => vector.judge(vector.render(), {unknown: 1}), /not a key/);
+  assert.throws(() => vector.minimize(vector.render(), {}), /no errors/);
+  assert.throws(() => vector.drawFault(1e6, 0), /no fault/);
+  assert.equal(vector.judge(vector.render(), {}).findings(), "");
 });

@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "radiosity/bands/element_table.h"
-#include "radiosity/discretization/patch_points.h"
 #include "radiosity/scene/load_scene.h"
 #include "radiosity/solver/dynamic_solution.h"
 #include "radiosity/solver/progressive_solver.h"
@@ -25,21 +24,25 @@ namespace {
 
 using raster::InputError;
 
+radiosity::Edit editOf(const Json& edit) {
+  const std::string kind = edit.at("edit"), name = edit.at("name");
+  if (kind == "move") return radiosity::Move{name, vectorOf(edit.at("by"))};
+  if (kind == "remove") return radiosity::Remove{name};
+  if (kind == "restore") return radiosity::Restore{name};
+  if (kind == "emission") return radiosity::SetEmission{name, vectorOf(edit.at("to"))};
+  if (kind == "reflectance") return radiosity::SetReflectance{name, vectorOf(edit.at("to"))};
+  throw InputError("there is no edit `" + raster::excerpt(kind) + "`");
+}
+
 std::vector<radiosity::Edit> editsOf(const Json& list) {
   std::vector<radiosity::Edit> edits;
-  for (const Json& edit : list) {
-    const std::string kind = edit.at("edit"), name = edit.at("name");
-    if (kind == "move") edits.push_back(radiosity::Move{name, vectorOf(edit.at("by"))});
-    if (kind == "remove") edits.push_back(radiosity::Remove{name});
-    if (kind == "restore") edits.push_back(radiosity::Restore{name});
-    if (kind == "emission") edits.push_back(radiosity::SetEmission{name, vectorOf(edit.at("to"))});
-    if (kind == "reflectance") edits.push_back(radiosity::SetReflectance{name, vectorOf(edit.at("to"))});
-  }
+  for (const Json& edit : list) edits.push_back(editOf(edit));
   return edits;
 }
 
-/// Ends a solution after a number of shots.
+/// Ends a solution after a number of shots. The solver asks after each shot.
 radiosity::Progress atMost(int shots) {
+  if (shots < 1) throw InputError("the number of shots is below 1");
   return [shots](const radiosity::Step& step) { return step.shots < shots; };
 }
 
@@ -50,7 +53,9 @@ class SolutionHandle {
       : elements_(elements), drawing_(drawingSettings(settings)), ids_(idSettings(settings)) {
     radiosity::requireEmission(*elements.scene, "the scene");
     solver_.residual = settings.value("residual", radiosity::defaultResidual(*elements.scene));
+    if (!(solver_.residual >= 0)) throw InputError("the residual is below 0");
     if (settings.contains("shots")) solver_.shots = settings["shots"].get<int>();
+    if (solver_.shots.value_or(0) < 0) throw InputError("the number of shots is below 0");
     solver_.rowCacheBytes = std::size_t{128} << 20;
     const bool isEditable = settings.value("editable", false);
     if (isEditable && !elements.settings.isUnburied) throw InputError("the elements are not editable");
@@ -68,8 +73,7 @@ class SolutionHandle {
                      {{"emitted", web::toJson(now.energy.emitted)},
                       {"absorbed", web::toJson(now.energy.absorbed)},
                       {"unshot", web::toJson(now.energy.unshot)},
-                      {"lost", web::toJson(now.energy.lost)},
-                      {"lost_to_backs", web::toJson(now.energy.lostToBacks)}}},
+                      {"lost", web::toJson(now.energy.lost)}}},
                     {"milliseconds", milliseconds_}});
   }
 
@@ -92,17 +96,11 @@ class SolutionHandle {
   Value brightest() const {
     return guarded([&] {
       const std::uint32_t number = shootingState().brightestPatch();
-      const radiosity::Patch& patch = discretization().patches.list[number];
-      const radiosity::SurfacePoint centre = radiosity::patchCentre(scene(), discretization(), patch);
       Json elements = Json::array();
       const std::vector<std::uint32_t>& patchOf = discretization().patches.ofElement;
       for (std::size_t e = 0; e < patchOf.size(); ++e)
         if (patchOf[e] == number) elements.push_back(e);
-      return toValue({{"patch", number},
-                      {"surface", patch.surface},
-                      {"centre", web::toJson(centre.position)},
-                      {"normal", web::toJson(centre.normal)},
-                      {"elements", elements}});
+      return toValue(elements);
     });
   }
 

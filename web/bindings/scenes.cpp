@@ -19,19 +19,14 @@
 #include "raster/interface/item_buffer_renderer.h"
 #include "raster/interface/item_id.h"
 #include "reference/truth/rows/scene_rows.h"
-#include "web/bindings/handles.h"
+#include "web/bindings/folder.h"
 #include "web/bindings/light.h"
+#include "web/bindings/vectors.h"
 
 namespace hemitex::web {
 namespace {
 
 using raster::InputError;
-
-/// Removes a folder of Emscripten's file system in memory at the end.
-struct RemovedAtEnd {
-  std::filesystem::path folder;
-  ~RemovedAtEnd() { std::filesystem::remove_all(folder); }
-};
 
 struct SceneHandle {
   std::shared_ptr<const radiosity::Scene> scene;
@@ -46,29 +41,23 @@ Json toJson(const radiosity::Camera& camera) {
 }
 
 /// A file SCENE.view.json beside SCENE.obj has the camera.
-SceneHandle loadScene(const Value& files, const std::string& main) {
+std::shared_ptr<SceneHandle> loadScene(const Value& files, const std::string& main) {
   return guarded([&] {
-    const RemovedAtEnd removed{"/scene"};
-    std::filesystem::create_directories(removed.folder);
-    for (const std::string& name :
-         emscripten::vecFromJSArray<std::string>(Value::global("Object").call<Value>("keys", files)))
-      raster::writeFile(removed.folder / name, files[name].as<std::string>());
-    const std::filesystem::path file = removed.folder / main;
-    SceneHandle handle{
-        std::make_shared<const radiosity::Scene>(radiosity::loadScene(file, {.sides = radiosity::Sides::TwoOfSheets})),
-        {}};
+    const Folder folder(files);
+    const std::filesystem::path file = folder.path() / main;
+    const auto scene =
+        std::make_shared<const radiosity::Scene>(radiosity::loadScene(file, {.sides = radiosity::Sides::TwoOfSheets}));
     std::filesystem::path view = file;
     view.replace_extension(".view.json");
-    handle.camera = std::filesystem::exists(view) ? Json::parse(raster::readFile(view))
-                                                  : toJson(radiosity::defaultCamera(*handle.scene));
-    return handle;
+    const Json camera =
+        std::filesystem::exists(view) ? Json::parse(raster::readFile(view)) : toJson(radiosity::defaultCamera(*scene));
+    return std::make_shared<SceneHandle>(SceneHandle{scene, camera});
   });
 }
 
 Json materialOf(const radiosity::Scene& scene, const radiosity::Surface& surface) {
   const radiosity::Material& material = scene.materials[static_cast<std::size_t>(surface.material)];
   return {{"name", surface.name},
-          {"triangles", surface.triangles.size()},
           {"reflectance", web::toJson(material.reflectance)},
           {"emission", web::toJson(material.emission)}};
 }
@@ -77,11 +66,7 @@ Value sceneInfo(const SceneHandle& handle) {
   const radiosity::Scene& scene = *handle.scene;
   Json surfaces = Json::array();
   for (const radiosity::Surface& surface : scene.surfaces) surfaces.push_back(materialOf(scene, surface));
-  return toValue({{"surfaces", surfaces},
-                  {"camera", handle.camera},
-                  {"origin", web::toJson(scene.origin)},
-                  {"extent", scene.extent},
-                  {"warnings", scene.warnings}});
+  return toValue({{"surfaces", surfaces}, {"camera", handle.camera}, {"extent", scene.extent}});
 }
 
 std::shared_ptr<ElementsHandle> discretize(const SceneHandle& handle, const Value& given) {
@@ -113,15 +98,13 @@ Value elementsInfo(const ElementsHandle& handle) {
     surface["element_count"] = grid.elementCount;
     surfaces.push_back(surface);
   }
-  return toValue({{"elements", discretization.elements.size()},
-                  {"patches", discretization.patches.list.size()},
-                  {"surfaces", surfaces}});
+  return toValue({{"elements", discretization.elements.size()}, {"surfaces", surfaces}});
 }
 
 Value geometryOf(const ElementsHandle& handle, unsigned number) {
   return guarded([&] {
-    const radiosity::Surface& surface = handle.scene->surfaces.at(number);
-    const radiosity::Grid& grid = handle.discretization->grids.at(number);
+    const radiosity::Surface& surface = itemOf(handle.scene->surfaces, number, "surface");
+    const radiosity::Grid& grid = handle.discretization->grids[number];
     std::vector<float> positions, charts;
     for (const radiosity::Triangle& triangle : surface.triangles)
       for (std::size_t corner = 0; corner < 3; ++corner) {
@@ -149,29 +132,19 @@ Value areasOf(const ElementsHandle& handle) {
   return toArray("Float64Array", areas);
 }
 
-Value centreOf(const ElementsHandle& handle, unsigned element) {
-  return guarded([&] {
-    const std::uint32_t surface = handle.discretization->elements.at(element).surface;
-    const radiosity::SurfacePoint point = radiosity::elementCentre(*handle.scene, *handle.discretization, element);
-    return toValue(
-        {{"position", web::toJson(point.position)}, {"normal", web::toJson(point.normal)}, {"surface", surface}});
-  });
-}
-
 Value idsOf(const ElementsHandle& handle, const Value& settings) {
   return guarded([&] {
     const radiosity::IdLayout layout = radiosity::layOut(*handle.discretization, idSettings(jsonOf(settings)));
     Json pages = Json::array();
-    std::uint64_t largest = 1;
-    for (const radiosity::Page& page : layout.pages) {
+    for (const radiosity::Page& page : layout.pages)
       pages.push_back({{"offset", page.offset}, {"columns", page.columns}, {"rows", page.rows}});
-      largest = std::max(largest, radiosity::texelCount(page));
-    }
-    return toValue({{"bits", raster::idBits(layout.format)},
-                    {"index_bits", layout.indexBits},
-                    {"pages", pages},
-                    {"max_surfaces", radiosity::maxSurfaces(layout.format, largest)}});
+    return toValue({{"bits", raster::idBits(layout.format)}, {"index_bits", layout.indexBits}, {"pages", pages}});
   });
+}
+
+/// The surface of an element. Throws InputError if there is no such element.
+std::uint32_t surfaceOf(const ElementsHandle& handle, std::uint32_t element) {
+  return itemOf(handle.discretization->elements, element, "element").surface;
 }
 
 /// A renderer of the elements and the view from the centre of one of them.
@@ -186,9 +159,8 @@ struct ElementView {
                                             list = drawn;
                                             return radiosity::softwareRenderer(std::move(drawn));
                                           })),
-        rows(scene, discretization, layout, *renderer,
-             {.resolution = drawing.resolution, .projection = drawing.projection}),
-        view(rows.viewFrom({.surface = discretization.elements.at(element).surface,
+        rows(scene, discretization, layout, *renderer, {.resolution = drawing.resolution}),
+        view(rows.viewFrom({.surface = surfaceOf(handle, element),
                             .point = radiosity::elementCentre(scene, discretization, element)})) {}
 
   const radiosity::Scene& scene;
@@ -229,11 +201,8 @@ Value hemicube(const ElementsHandle& handle, unsigned element, const Value& sett
     for (std::size_t f = 0; f < buffers.size(); ++f) {
       const raster::Scissor& scissor = from.view.faces[f].scissor;
       Value face = Value::object();
-      face.set("column", scissor.column);
-      face.set("row", scissor.row);
       face.set("width", scissor.width);
       face.set("height", scissor.height);
-      face.set("ids", toArray("Uint32Array", buffers[f].ids));
       face.set("elements", toArray("Int32Array", elementsIn(buffers[f], from)));
       face.set("weights", toArray("Float64Array", radiosity::deltaFormFactors(*from.view.projection, f)));
       faces.call<void>("push", face);
@@ -243,7 +212,6 @@ Value hemicube(const ElementsHandle& handle, unsigned element, const Value& sett
     result.set("formFactors", toArray("Float64Array", dense(row, from.discretization.elements.size())));
     result.set("background", radiosity::formFactor(row.background));
     result.set("backs", radiosity::formFactor(row.back));
-    result.set("captured", radiosity::formFactor(from.view.projection->captured));
     return result;
   });
 }
@@ -266,11 +234,9 @@ raster::DrawList without(const raster::DrawList& list, const std::vector<std::ui
 std::shared_ptr<VectorHandle> vectorOver(const ElementsHandle& handle, unsigned element, const Value& settings) {
   return guarded([&] {
     const ElementView from(handle, element, jsonOf(settings));
-    std::vector<std::string> names;
-    if (from.drawing.projection == radiosity::ProjectionKind::Hemicube)
-      names = {"top", "side-right", "side-up", "side-left", "side-down"};
     reference::TestVector vector =
-        reference::makeVector("hemicube", "", without(from.list, from.view.skipped), from.view.faces, names);
+        reference::makeVector("hemicube", "", without(from.list, from.view.skipped), from.view.faces,
+                              {"top", "side-right", "side-up", "side-left", "side-down"});
     vector.origin = from.scene.origin;
     return handleOf(std::move(vector));
   });
@@ -296,22 +262,34 @@ reference::Source sourceOf(const ElementsHandle& handle, const Json& source) {
   if (!source.contains("element"))
     return {radiosity::surfacesNamed(*handle.scene, source.at("surface").get<std::string>())};
   const auto element = source["element"].get<std::uint32_t>();
-  return {{handle.discretization->elements.at(element).surface}, element};
+  return {{surfaceOf(handle, element)}, element};
+}
+
+reference::RayOptions rayOptions(const Json& settings) {
+  reference::RayOptions rays;
+  rays.samples = settings.value("samples", rays.samples);
+  if (rays.samples < 64 || rays.samples > 1 << 28) throw InputError("the number of rays is not from 64 to 2^28");
+  rays.seed = settings.value("seed", rays.seed);
+  return rays;
 }
 
 reference::RowMethod methodOf(const ElementsHandle& handle, const reference::RowReceivers& receivers,
                               const Json& settings) {
-  const std::string method = settings.value("method", "hemicube");
-  if (method == "analytic") return reference::analyticMethod(*handle.scene, *handle.discretization, receivers);
-  if (method == "rays") {
-    reference::RayOptions rays;
-    rays.samples = settings.value("samples", rays.samples);
-    rays.seed = settings.value("seed", rays.seed);
-    return reference::rayMethod(*handle.scene, *handle.discretization, receivers, rays);
+  enum class Method { Hemicube, Rays, Analytic };
+  const radiosity::Scene& scene = *handle.scene;
+  const radiosity::Discretization& discretization = *handle.discretization;
+  switch (
+      valueNamed<Method>(settings.value("method", "hemicube"), "method",
+                         {{"hemicube", Method::Hemicube}, {"rays", Method::Rays}, {"analytic", Method::Analytic}})) {
+    case Method::Rays:
+      return reference::rayMethod(scene, discretization, receivers, rayOptions(settings));
+    case Method::Analytic:
+      return reference::analyticMethod(scene, discretization, receivers);
+    case Method::Hemicube:
+      break;
   }
-  return reference::drawnMethod(*handle.scene, *handle.discretization, receivers,
-                                radiosity::layOut(*handle.discretization, idSettings(settings)),
-                                drawingSettings(settings));
+  return reference::drawnMethod(scene, discretization, receivers,
+                                radiosity::layOut(discretization, idSettings(settings)), drawingSettings(settings));
 }
 
 Value rowOf(const ElementsHandle& handle, const Value& source, const Value& given) {
@@ -350,27 +328,24 @@ Value formats() {
   return toValue(list);
 }
 
+/// Index maps with offsets are added.
 raster::Blend blendNamed(const std::string& name) {
-  if (name == "clamped-add") return raster::Blend::ClampedAdd;
-  if (name == "integer-add") return raster::Blend::IntegerAdd;
-  if (name == "replace") return raster::Blend::Replace;
-  throw InputError("there is no blend `" + raster::excerpt(name) + "`");
+  return valueNamed<raster::Blend>(
+      name, "blend", {{"clamped-add", raster::Blend::ClampedAdd}, {"integer-add", raster::Blend::IntegerAdd}});
 }
 
 }  // namespace
 
 radiosity::DrawingSettings drawingSettings(const Json& settings) {
-  using radiosity::ElementsBy, radiosity::Orientation, radiosity::ProjectionKind;
+  using radiosity::ElementsBy;
   radiosity::DrawingSettings drawing;
   drawing.resolution = settings.value("resolution", drawing.resolution);
   if (drawing.resolution < 2 || drawing.resolution > 4096 || drawing.resolution % 2 != 0)
     throw InputError("the resolution is not an even number from 2 to 4096");
-  if (!settings.value("rotated", true)) drawing.orientation = Orientation::Aligned;
+  if (!settings.value("rotated", true)) drawing.orientation = radiosity::Orientation::Aligned;
   drawing.split = settings.value("split", drawing.split);
-  if (settings.value("elements", "texture") == "mesh") drawing.elementsBy = ElementsBy::Mesh;
-  const std::string projection = settings.value("projection", "hemicube");
-  if (projection == "single-plane") drawing.projection = ProjectionKind::SinglePlane;
-  if (projection == "tetrahedron") drawing.projection = ProjectionKind::CubicTetrahedron;
+  drawing.elementsBy = valueNamed<ElementsBy>(settings.value("elements", "texture"), "way to draw elements",
+                                              {{"texture", ElementsBy::Texture}, {"mesh", ElementsBy::Mesh}});
   return drawing;
 }
 
@@ -384,14 +359,16 @@ radiosity::IdSettings idSettings(const Json& settings) {
 
 EMSCRIPTEN_BINDINGS(scenes) {
   using namespace emscripten;
-  class_<SceneHandle>("Scene").function("info", &sceneInfo).function("discretize", &discretize);
+  class_<SceneHandle>("Scene")
+      .smart_ptr<std::shared_ptr<SceneHandle>>("Scene")
+      .function("info", &sceneInfo)
+      .function("discretize", &discretize);
   class_<ElementsHandle>("Elements")
       .smart_ptr<std::shared_ptr<ElementsHandle>>("Elements")
       .function("info", &elementsInfo)
       .function("geometry", &geometryOf)
       .function("patchOfElement", &patchOfElement)
       .function("areas", &areasOf)
-      .function("centre", &centreOf)
       .function("ids", &idsOf)
       .function("hemicube", &hemicube)
       .function("vector", &vectorOver)

@@ -1,4 +1,7 @@
-/// Scenes and elements that JavaScript holds, and the settings of drawings and item IDs.
+/// Elements that JavaScript holds, and the settings of drawings and item IDs.
+///
+/// All handles of JavaScript are shared pointers: Emscripten releases what those point to when JavaScript has dropped
+/// the handle. It does not do so for objects that it holds by value.
 #pragma once
 
 #include <memory>
@@ -12,7 +15,7 @@
 
 namespace hemitex::web {
 
-/// The elements of a scene; neither changes (see handles.h).
+/// The elements of a scene; neither changes.
 struct ElementsHandle {
   std::shared_ptr<const radiosity::Scene> scene;
   radiosity::DiscretizationSettings settings;
@@ -20,7 +23,7 @@ struct ElementsHandle {
 };
 
 /// The settings of an object; see DrawingSettings and IdSettings in web/page/core.ts. Throw InputError for values out
-/// of range.
+/// of range and for unknown names.
 radiosity::DrawingSettings drawingSettings(const Json& settings);
 radiosity::IdSettings idSettings(const Json& settings);
 

@@ -2,8 +2,6 @@
 
 #include <exception>
 
-#include "raster/base/input_error.h"
-
 namespace hemitex::web {
 
 using raster::InputError;

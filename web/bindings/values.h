@@ -5,10 +5,13 @@
 
 #include <cstddef>
 #include <glm/glm.hpp>
+#include <initializer_list>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "raster/base/input_error.h"
 #include "raster/interface/face.h"
 
 namespace hemitex::web {
@@ -21,6 +24,24 @@ Json jsonOf(const Value& value);
 
 /// JSON as an object of JavaScript.
 Value toValue(const Json& json);
+
+/// The item of a list. Throws InputError for a number out of range; `what` names an item.
+template <typename List>
+const auto& itemOf(const List& list, std::size_t number, const std::string& what) {
+  if (number >= list.size())
+    throw raster::InputError("there is no " + what + ' ' + std::to_string(number),
+                             "their number is " + std::to_string(list.size()));
+  return list[number];
+}
+
+/// The value with a name. Throws InputError for other names; `what` says what has the name.
+template <typename Named>
+Named valueNamed(const std::string& name, const std::string& what,
+                 std::initializer_list<std::pair<const char*, Named>> known) {
+  for (const auto& [knownName, value] : known)
+    if (name == knownName) return value;
+  throw raster::InputError("there is no " + what + " `" + raster::excerpt(name) + "`");
+}
 
 Json toJson(const glm::dvec3& vector);
 /// Throws InputError for anything but three numbers.

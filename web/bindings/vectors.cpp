@@ -1,4 +1,6 @@
 /// Test vectors, verdicts, diagnoses and calibration for JavaScript; web/page/core.ts has the types.
+#include "web/bindings/vectors.h"
+
 #include <emscripten/bind.h>
 
 #include <algorithm>
@@ -16,10 +18,9 @@
 #include "reference/conformance/diagnosis/verdict_report.h"
 #include "reference/conformance/records/conformance_record.h"
 #include "reference/conformance/scenes/scene_vectors.h"
-#include "reference/conformance/vectors/random_vectors.h"
 #include "reference/conformance/verdict/explanation.h"
 #include "reference/conformance/verdict/reduction.h"
-#include "web/bindings/handles.h"
+#include "web/bindings/folder.h"
 #include "web/bindings/values.h"
 
 namespace hemitex::web {
@@ -28,26 +29,7 @@ namespace {
 using raster::InputError;
 using reference::TestVector;
 
-/// A folder of Emscripten's file system in memory, removed at the end.
-class Folder {
- public:
-  explicit Folder(const std::string& name) : path_("/vector/" + name) { std::filesystem::create_directories(path_); }
-  ~Folder() { std::filesystem::remove_all("/vector"); }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
-
 reference::DeviceProfile profileOf(const Value& profile) { return reference::parseProfile(jsonOf(profile).dump()); }
-
-std::string bytesOf(const Value& content) {
-  if (content.isString()) return content.as<std::string>();
-  const auto bytes = emscripten::convertJSArrayToNumberVector<std::uint8_t>(content);
-  return {bytes.begin(), bytes.end()};
-}
 
 Value listOf(std::vector<TestVector> vectors) {
   Value list = Value::array();
@@ -105,27 +87,13 @@ std::shared_ptr<ReportHandle> judge(const VectorHandle& handle, const Value& fou
   });
 }
 
-Json toJson(const reference::ErrorPixel& error) {
-  return {{"face", error.face},
-          {"column", error.column},
-          {"row", error.row},
-          {"expected", error.expected},
-          {"found", error.found}};
-}
-
-Value minimize(const VectorHandle& handle, const Value& found, const Value& profile) {
+std::shared_ptr<VectorHandle> minimize(const VectorHandle& handle, const Value& found, const Value& profile) {
   return guarded([&] {
     const auto buffers = buffersOf(found, reference::facesOf(*handle.vector));
     const reference::DeviceProfile allowed = profileOf(profile);
     const reference::Report report = reference::reportOn(*handle.vector, buffers, allowed);
     if (report.errors.empty()) throw InputError("the item buffers have no errors");
-    reference::MinimalFailure failure = reference::minimize(*handle.vector, report.verdict, allowed);
-    Value result = Value::object();
-    result.set("error", toValue(toJson(failure.error)));
-    result.set("expected", failure.expected.ids.front());
-    result.set("found", failure.found.ids.front());
-    result.set("vector", Value(handleOf(std::move(failure.vector))));
-    return result;
+    return handleOf(reference::minimize(*handle.vector, report.verdict, allowed).vector);
   });
 }
 
@@ -155,7 +123,8 @@ Value drawFault(const VectorHandle& handle, unsigned fault, unsigned variant) {
     std::vector<raster::ItemBuffer> faces;
     // Each face comes in parts, some rows at a time.
     std::vector<raster::ItemId> ids;
-    reference::drawOn(faults.at(fault).variants.at(variant).device, placed, [&](const raster::ItemBuffer& rows) {
+    const auto& device = itemOf(itemOf(faults, fault, "fault").variants, variant, "variant").device;
+    reference::drawOn(device, placed, [&](const raster::ItemBuffer& rows) {
       ids.insert(ids.end(), rows.ids.begin(), rows.ids.end());
       const raster::Scissor& scissor = placed.faces[faces.size()].scissor;
       if (ids.size() == static_cast<std::size_t>(scissor.width) * static_cast<std::size_t>(scissor.height)) {
@@ -190,10 +159,7 @@ struct ProbesHandle {
 
 std::shared_ptr<VectorHandle> readVector(const Value& files) {
   return guarded([&] {
-    const Folder folder("read");
-    for (const std::string& name :
-         emscripten::vecFromJSArray<std::string>(Value::global("Object").call<Value>("keys", files)))
-      raster::writeFile(folder.path() / name, [&](std::ostream& stream) { stream << bytesOf(files[name]); });
+    const Folder folder(files);
     return handleOf(reference::readVector(folder.path()));
   });
 }
@@ -242,7 +208,7 @@ std::string record(const std::string& device, const std::string& driver, const V
 
 Value VectorHandle::json() const {
   return guarded([&] {
-    const Folder folder(vector->name);
+    const Folder folder;
     reference::writeVector(folder.path(), *vector, {});
     return toValue(Json::parse(raster::readFile(folder.path() / "vector.json")));
   });
@@ -250,7 +216,7 @@ Value VectorHandle::json() const {
 
 Value VectorHandle::arrays() const {
   return guarded([&] {
-    const Folder folder(vector->name);
+    const Folder folder;
     reference::writeVector(folder.path(), *vector, {});
     const Json json = Json::parse(raster::readFile(folder.path() / "vector.json"));
     Value maps = Value::object(), arrays = Value::object();
@@ -292,25 +258,17 @@ EMSCRIPTEN_BINDINGS(vectors) {
       .function("render", &VectorHandle::render)
       .function("explain", &VectorHandle::explain)
       .function("judge", &judge)
-      .function("judge", optional_override([](const VectorHandle& handle, const Value& found) {
-                  return judge(handle, found, Value::undefined());
-                }))
       .function("minimize", &minimize)
-      .function("minimize", optional_override([](const VectorHandle& handle, const Value& found) {
-                  return minimize(handle, found, Value::undefined());
-                }))
       .function("reduce", &reduce)
       .function("faults", &faultsOf)
       .function("drawFault", &drawFault);
   class_<ProbesHandle>("Probes")
+      .smart_ptr<std::shared_ptr<ProbesHandle>>("Probes")
       .function("vectors", &ProbesHandle::vectors)
       .function("calibrate", &ProbesHandle::calibrate);
   function("suite", optional_override([] { return guarded([] { return listOf(reference::wholeSuite("/data")); }); }));
-  function("randomVector", optional_override([](unsigned seed) {
-             return guarded([&] { return handleOf(reference::interleavedRandomVector(0, seed)); });
-           }));
   function("readVector", &readVector);
-  function("probes", optional_override([] { return ProbesHandle(); }));
+  function("probes", optional_override([] { return std::make_shared<ProbesHandle>(); }));
   function("verdicts", &verdictNames);
   function("commonFault", &commonFault);
   function("deviceClass", &deviceClass);

@@ -1,4 +1,8 @@
-/// What hemitex has from packages that the page lacks: VTK's XML files are refused, and the page computes SHA-256.
+/// What hemitex has from packages that the page lacks. Images, glTF and VTK's XML files are refused, and the page
+/// computes SHA-256.
+#include <stdexcept>
+
+#include "radiosity/base/module_symbol.h"
 #include "radiosity/meshes/vtk_xml_file.h"
 #include "raster/base/file_io.h"
 #include "raster/base/input_error.h"
@@ -6,6 +10,10 @@
 #include "web/bindings/values.h"
 
 namespace hemitex {
+
+const void* radiosity::moduleSymbol(const char* module, const char*) {
+  throw std::runtime_error(std::string("the page has no ") + module);
+}
 
 radiosity::PolygonMesh radiosity::parseVtkXml(std::string_view, const std::filesystem::path& file,
                                               std::span<const std::string>) {

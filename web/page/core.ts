@@ -1,4 +1,5 @@
 // hemitex in the page: the functions of web/bindings, with types. Numbers of elements, patches and surfaces count from 0.
+// All functions throw an Error for input out of range; its message says what is wrong and what to do.
 import {sha256} from "@noble/hashes/sha2";
 import {bytesToHex} from "@noble/hashes/utils";
 
@@ -53,7 +54,7 @@ export type ItemBuffers = Uint32Array[];
 /** The derivation of a pixel; reference/conformance/verdict/explanation.h has the keys. */
 export type Explanation = any;
 
-/** A device profile; reference/conformance/verdict/device_profile.h has the keys. */
+/** A device profile; reference/conformance/verdict/device_profile.h has the keys and their defaults. */
 export type Profile = Record<string, number | string | boolean>;
 
 export interface ErrorPixel {
@@ -66,15 +67,10 @@ export interface ErrorPixel {
   expected_from: string | null;
   found_from: string | null;
 }
-export interface Finding {
-  fault: string;
-  variant: string;
-  agreement: number;
-  advice: string;
-}
-/** The verdict on the item IDs of a device. `json` has the keys of reference/conformance/diagnosis/verdict_report.h. */
+/** The verdict on the item IDs of a device. */
 export interface Report {
-  json(): {vector: string; pass: boolean; pixels: Record<string, number>; errors: ErrorPixel[]; diagnosis: Finding[]};
+  /** Number of pixels by verdict, and examples of errors; verdict_report.h in reference/conformance has more keys. */
+  json(): {pixels: Record<string, number>; errors: ErrorPixel[]};
   /** "linear filtering (99.8 % agreement): set both filters ..."; empty without errors. */
   findings(): string;
   /** The verdict of each pixel of each face: an index into core.verdicts. */
@@ -99,9 +95,9 @@ export interface Vector {
   render(): ItemBuffers;
   /** The derivation of a pixel; column and row count in the viewport, not in the scissor rectangle. */
   explain(face: string, column: number, row: number): Explanation;
-  judge(found: ItemBuffers, profile?: Profile): Report;
-  /** A vector of one pixel and few triangles on which the device still fails. The report must have errors. */
-  minimize(found: ItemBuffers, profile?: Profile): {vector: Vector; error: ErrorPixel; expected: number; found: number};
+  judge(found: ItemBuffers, profile: Profile): Report;
+  /** A vector of one pixel and few triangles that explains an error. Throws if there is none. */
+  minimize(found: ItemBuffers, profile: Profile): Vector;
   /** Removes parts as long as `fails` stays true. Calls it at most `maxRuns` times. */
   reduce(fails: (smaller: Vector) => boolean, maxRuns: number): Vector;
   /** All known faults that the vector can show. */
@@ -117,16 +113,13 @@ export interface Probes {
 
 export interface SurfaceInfo {
   name: string;
-  triangles: number;
-  reflectance: Vec3;
-  emission: Vec3;
+  reflectance: Vec3; // red, green, blue; in [0, 1)
+  emission: Vec3; // W/m^2
 }
 export interface SceneInfo {
   surfaces: SurfaceInfo[];
-  camera: {eye: Vec3; look_at: Vec3; up: Vec3; fov: number};
-  origin: Vec3;
-  extent: number;
-  warnings: string[];
+  camera: {eye: Vec3; look_at: Vec3; up: Vec3; fov: number}; // fov in degrees, from top to bottom
+  extent: number; // in units of the scene
 }
 export interface DiscretizationSettings {
   texels?: number; // columns and rows of each surface
@@ -147,23 +140,18 @@ export interface IdSettings {
 }
 export interface DrawingSettings extends IdSettings {
   resolution?: number; // even, 2 to 4096; 256
-  projection?: "hemicube" | "single-plane" | "tetrahedron";
   rotated?: boolean; // rotated per patch; only for rows of patches and for solutions
   split?: number; // parts of patches near their receivers; 1: no patch is split
   elements?: "texture" | "mesh";
 }
 export interface ElementsInfo {
   elements: number;
-  patches: number;
-  surfaces: {
-    name: string;
-    columns: number;
+  surfaces: (SurfaceInfo & {
+    columns: number; // texels
     rows: number;
     first_element: number;
     element_count: number;
-    reflectance: Vec3;
-    emission: Vec3;
-  }[];
+  })[];
 }
 export interface SurfaceGeometry {
   positions: Float32Array; // nine numbers per triangle, in units of the scene
@@ -171,12 +159,9 @@ export interface SurfaceGeometry {
   elementOfTexel: Uint32Array; // row-major, row 0 at v = 0; 0xffffffff: a texel without element
 }
 export interface HemicubeFace {
-  column: number; // of the scissor rectangle in the viewport
-  row: number;
-  width: number;
+  width: number; // in pixels
   height: number;
-  ids: Uint32Array;
-  elements: Int32Array; // -1: background, -2: a back
+  elements: Int32Array; // per pixel; -1: background, -2: a back
   weights: Float64Array; // delta form factors
 }
 export interface HemicubeView {
@@ -184,7 +169,6 @@ export interface HemicubeView {
   formFactors: Float64Array; // one per element
   background: number;
   backs: number;
-  captured: number;
 }
 /** How offsets and index maps make item IDs. */
 export interface IdLayout {
@@ -192,11 +176,10 @@ export interface IdLayout {
   index_bits: number; // k
   /** One per surface: offset, columns and rows of its index map. */
   pages: {offset: number; columns: number; rows: number}[];
-  max_surfaces: number; // that fit with these maps
 }
 export interface RowSettings extends DrawingSettings {
   method?: "hemicube" | "rays" | "analytic";
-  samples?: number; // rays; a power of two
+  samples?: number; // rays, 64 to 2^28; best a power of two
   seed?: number;
 }
 export interface Row {
@@ -211,15 +194,15 @@ export type Edit =
   | {edit: "remove" | "restore"; name: string}
   | {edit: "emission" | "reflectance"; name: string; to: Vec3};
 export interface SolveSettings extends DrawingSettings {
-  residual?: number;
-  shots?: number; // maximum
+  residual?: number; // ends when unshot over emitted flux is at most this; 0.001
+  shots?: number; // maximum, from 0
   editable?: boolean; // may be continued by shoot and edit; needs editable elements
 }
 export interface SolutionInfo {
   shots: number; // of the last call
   residual: number;
   ambient: Vec3;
-  energy: Record<"emitted" | "absorbed" | "unshot" | "lost" | "lost_to_backs", Vec3>;
+  energy: Record<"emitted" | "absorbed" | "unshot" | "lost", Vec3>; // flux, W; emitted is the sum of the others
   milliseconds: number; // of the last call
 }
 export interface Solution {
@@ -228,11 +211,11 @@ export interface Solution {
   radiosity(): Float64Array;
   /** The unshot flux of each patch, W, bands summed. Only of an editable solution. */
   unshot(): Float64Array;
-  /** The patch that shoots next, its centre, and its elements. */
-  brightest(): {patch: number; surface: number; centre: Vec3; normal: Vec3; elements: number[]};
+  /** The elements of the patch that shoots next. Only of an editable solution. */
+  brightest(): number[];
   /** The elements after the last edit; patches may have been split. */
   elements(): Elements;
-  /** Shoots at most `count` times. */
+  /** Shoots at most `count` times, at least 1. */
   shoot(count: number): SolutionInfo;
   /** Applies edits, updates the light, and shoots until the residual is reached, at most `shots` times. */
   edit(edits: Edit[], shots: number): SolutionInfo;
@@ -244,8 +227,7 @@ export interface Elements {
   geometry(surface: number): SurfaceGeometry;
   /** The patch of each element. */
   patchOfElement(): Uint32Array;
-  areas(): Float64Array;
-  centre(element: number): {position: Vec3; normal: Vec3; surface: number};
+  areas(): Float64Array; // in squared units of the scene
   ids(settings: IdSettings): IdLayout; // throws if the elements need more item IDs than there are
   /** The hemicube over the centre of an element. */
   hemicube(element: number, settings: DrawingSettings): HemicubeView;
@@ -259,10 +241,8 @@ export interface Elements {
 }
 
 export interface Core {
-  version(): string;
   /** All vectors of the suite. */
   suite(): Vector[];
-  randomVector(seed: number): Vector;
   /** A vector from the files of its folder. */
   readVector(files: Record<string, Uint8Array | string>): Vector;
   probes(): Probes;
@@ -278,13 +258,10 @@ export interface Core {
   formats(): {name: string; channels: number[]}[];
   maxSurfaces(format: string, texels: number): number;
   /** Lays out a sum per channel. */
-  blend(format: string, operation: VectorJson["blend"], offset: number, texel: number): number;
+  blend(format: string, operation: "clamped-add" | "integer-add", offset: number, texel: number): number;
   /** `files` by name; `main` is the OBJ file. */
   loadScene(files: Record<string, string>, main: string): Scene;
 }
-
-/** An error of the input, with advice. */
-export class InputError extends Error {}
 
 declare const startedCore: Promise<{[name: string]: unknown}> | undefined; // without WebAssembly
 

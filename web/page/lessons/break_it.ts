@@ -116,7 +116,7 @@ function breakDevice({controls, task, view}: Place, {core, state}: Page, vectors
   function diagnose(expected: ItemBuffers, found: ItemBuffers): void {
     const differences = sum(differing(expected, found));
     if (!differences) return diagnosis.set(`Every pixel is right: this vector cannot show the fault. ${advise()}`);
-    const report = vector.judge(found, undefined);
+    const report = vector.judge(found, {});
     view.showVerdicts(report);
     const wrong = core.verdicts().indexOf("error");
     const errors = sum(report.pixels().map((face) => face.filter((verdict) => verdict === wrong).length));

@@ -404,7 +404,7 @@ function show(root: HTMLElement, {scene, state}: Page): () => void {
   /** Draws before and after a run: with the patch that shoots next. */
   function settle(): void {
     draw();
-    picture.view.mark(isRunning ? [] : shooting.solution.brightest().elements);
+    picture.view.mark(isRunning ? [] : shooting.solution.brightest());
     again.disabled = wanted.lamp === 0;
     if (shooting.shots !== state.number("shots", shotsAtStart)) state.set("shots", shooting.shots);
   }

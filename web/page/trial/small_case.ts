@@ -48,7 +48,7 @@ export async function reduceCase(
     return smaller.judge(drawn, profile).json().errors[0];
   };
   // Few triangles explain the error, but the device need not fail on them alone.
-  const minimal = vector.minimize(found, profile).vector;
+  const minimal = vector.minimize(found, profile);
   const start = (await firstError(minimal)) ? minimal : vector;
   const small = await reduceLater(start, async (smaller) => (await firstError(smaller)) !== undefined);
   return {vector: small, error: (await firstError(small))!, drawings};

@@ -1,5 +1,4 @@
-/// Objects of the libraries that JavaScript holds, which do not change. Its handles are shared pointers: Emscripten
-/// releases what those point to when JavaScript has dropped the handle.
+/// Test vectors that JavaScript holds. A vector does not change (see scenes.h).
 #pragma once
 
 #include <memory>
