@@ -2,6 +2,14 @@
 
 let nextId = 0;
 
+/** A control or a text whose value the page may change, without a call of its listener. */
+export interface Control<Value> {
+  set(value: Value): void;
+}
+
+/** What a choice offers: a value and its label, or a name that is both. */
+export type Option = string | readonly [value: string, label: string];
+
 /** A new element in `parent` with these properties. */
 export function element<Name extends keyof HTMLElementTagNameMap>(
   parent: HTMLElement,
@@ -40,7 +48,7 @@ function labelled(parent: HTMLElement, label: string): {box: HTMLElement; head: 
   return {box, head, id};
 }
 
-export interface SliderOptions {
+interface SliderOptions {
   label: string;
   min: number;
   max: number;
@@ -53,7 +61,7 @@ export function slider(
   parent: HTMLElement,
   {label, min, max, step, value, show = String}: SliderOptions,
   change: (value: number) => void,
-): {set(value: number): void} {
+): Control<number> {
   const {box, head, id} = labelled(parent, label);
   const shown = element(head, "output");
   const input = element(box, "input", {id, type: "range"});
@@ -78,13 +86,15 @@ export function slider(
 
 export function choice(
   parent: HTMLElement,
-  {label, options, value}: {label: string; options: [value: string, label: string][]; value: string},
+  {label, options, value}: {label: string; options: readonly Option[]; value: string},
   change: (value: string) => void,
-): {set(value: string): void} {
+): Control<string> {
   const {box, id} = labelled(parent, label);
   const select = element(box, "select", {id});
-  for (const [optionValue, optionLabel] of options)
-    element(select, "option", {value: optionValue, textContent: optionLabel});
+  for (const option of options) {
+    const [optionValue, textContent] = typeof option === "string" ? [option, option] : option;
+    element(select, "option", {value: optionValue, textContent});
+  }
   select.value = value;
   select.addEventListener("change", () => change(select.value));
   return {
@@ -98,7 +108,7 @@ export function checkbox(
   parent: HTMLElement,
   {label, value}: {label: string; value: boolean},
   change: (value: boolean) => void,
-): {set(value: boolean): void} {
+): Control<boolean> {
   const line = element(parent, "label", {className: "line"});
   const input = element(line, "input", {type: "checkbox", checked: value});
   line.append(label);
@@ -117,7 +127,7 @@ export function button(parent: HTMLElement, label: string, click: () => void): H
 }
 
 /** A live region. Tests find it by its data-testid. */
-export function status(parent: HTMLElement, name: string): {set(text: string): void} {
+export function status(parent: HTMLElement, name: string): Control<string> {
   const region = element(parent, "p", {className: "status", role: "status"});
   region.dataset.testid = name;
   return {
@@ -127,7 +137,7 @@ export function status(parent: HTMLElement, name: string): {set(text: string): v
   };
 }
 
-export type Question =
+type Question =
   | {text: string; options: string[]; right: number; why: string}
   | {text: string; answer: () => number; tolerance: number; why: string};
 

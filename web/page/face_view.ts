@@ -1,21 +1,21 @@
 // The pictures of a test vector that a device draws, one face at a time.
 import {Comparison, describeIds, verdictColours} from "./comparison";
-import {choice, element, row, status} from "./controls";
+import {choice, element, row, status, type Control, type Option} from "./controls";
 import type {Core, ItemBuffers, Report, Vector} from "./core";
 import {showDerivation} from "./derivation";
 
 /** The number of pixels per face that differ. */
 export function differing(expected: ItemBuffers, found: ItemBuffers): number[] {
-  return expected.map((ids, face) => ids.reduce((sum, id, k) => sum + (id === found[face][k] ? 0 : 1), 0));
+  return expected.map((ids, face) => ids.filter((id, pixel) => id !== found[face][pixel]).length);
 }
 
 /** The pictures of one face of a vector, and the derivation of the pixel that is selected. */
 export class FaceView {
   private readonly comparison: Comparison;
   private readonly faceRow: HTMLElement;
-  private faceChoice: {set(value: string): void} | undefined;
+  private faceChoice: Control<string> | undefined;
   private readonly legend: HTMLElement;
-  private readonly selection: {set(text: string): void};
+  private readonly selection: Control<string>;
   private readonly derivation: HTMLElement;
   private vector!: Vector;
   private expected!: ItemBuffers;
@@ -48,7 +48,7 @@ export class FaceView {
         this.faceRow,
         {
           label: "Face",
-          options: faces.map(({name}, k): [string, string] => [String(k), `${name}: ${counts[k]} differ`]),
+          options: faces.map(({name}, k): Option => [String(k), `${name}: ${counts[k]} differ`]),
           value: String(this.face),
         },
         (value) => {

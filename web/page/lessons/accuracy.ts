@@ -3,6 +3,7 @@ import {okLch} from "../colours";
 import {button, checkbox, choice, columns, element, question, row, slider, sourceLink, status, text} from "../controls";
 import type {Elements, Row, RowSettings} from "../core";
 import type {Lesson, Page, Range, State} from "../lesson";
+import {largestSize, sum} from "../numbers";
 import {Plot, type Series} from "../plot";
 import {SceneView} from "../scene_view";
 
@@ -108,7 +109,7 @@ class Source {
   errors(setting: Setting): Float64Array {
     const {formFactors, milliseconds} = this.row(setting);
     const errors = formFactors.map((value, e) => value - this.truth!.formFactors[e]);
-    const error = errors.reduce((sum, value) => sum + Math.abs(value), 0);
+    const error = sum(errors.map(Math.abs));
     this.tried.set(JSON.stringify(rowSettings(setting)), {setting: {...setting}, milliseconds, error});
     return errors;
   }
@@ -137,7 +138,7 @@ function meanOf(rows: Row[]): Truth {
     row.formFactors.forEach((value, e) => (formFactors[e] += value / rows.length));
     row.standardErrors!.forEach((value, e) => (variances[e] += (value / rows.length) ** 2));
   }
-  return {formFactors, standardError: variances.reduce((sum, variance) => sum + Math.sqrt(variance), 0)};
+  return {formFactors, standardError: sum(variances.map(Math.sqrt))};
 }
 
 /** Orange for too much, blue for too little, dark for none. */
@@ -302,7 +303,7 @@ function show(root: HTMLElement, {scene, state}: Page): () => void {
   function showRow(): void {
     const errors = source.errors(setting);
     const {error, milliseconds} = source.get(setting);
-    const largest = errors.reduce((most, value) => Math.max(most, Math.abs(value)), 0);
+    const largest = largestSize(errors);
     view.setColours(errorColours(errors, largest));
     legend.set(`Orange: too much, up to ${largest.toPrecision(3)}. Blue: too little. Outlined: the source.`);
     result.set(`error ${error.toFixed(6)} in ${milliseconds.toPrecision(3)} ms`);

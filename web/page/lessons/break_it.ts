@@ -1,10 +1,11 @@
 // Devices with a known fault: what they draw, how the diagnosis names the fault, and hidden ones to be named.
 import {hiddenDevices, type HiddenDevice} from "../break_it/hidden_devices";
-import {button, choice, columns, element, row, sourceLink, status, text} from "../controls";
+import {button, choice, columns, element, row, sourceLink, status, text, type Option} from "../controls";
 import type {Core, ErrorPixel, ItemBuffers, Vector} from "../core";
 import {differing, FaceView} from "../face_view";
 import {drawWithFault} from "../faulty_device";
 import type {Lesson, Page, State} from "../lesson";
+import {plural, sum} from "../numbers";
 
 const vectorNames = [
   "five-faces",
@@ -31,9 +32,6 @@ function vectorsOf(core: Core): Map<string, Vector> {
   return new Map(vectorNames.map((name) => [name, suite.get(name)!]));
 }
 
-const sum = (numbers: number[]) => numbers.reduce((a, b) => a + b, 0);
-const pixels = (count: number) => `${count} pixel${count === 1 ? "" : "s"}`;
-
 function describe({kind, face, column, row: line, expected, expected_from, found, found_from}: ErrorPixel): string {
   const from = (origin: string | null) => (origin ? ` (${origin})` : "");
   return (
@@ -59,8 +57,7 @@ function breakDevice({controls, task, view}: Place, {core, state}: Page, vectors
   const firstError = status(task, "first-error");
   const purpose = text(task, "");
   const bar = row(controls);
-  const plain = (name: string): [string, string] => [name, name];
-  choice(bar, {label: "Test vector", options: vectorNames.map(plain), value: vector.name()}, (name) => {
+  choice(bar, {label: "Test vector", options: vectorNames, value: vector.name()}, (name) => {
     vector = vectors.get(name)!;
     offerFaults();
     draw();
@@ -73,7 +70,7 @@ function breakDevice({controls, task, view}: Place, {core, state}: Page, vectors
     const faults = vector.faults().filter(({variants}) => variants.length);
     if (!faults.some(({name}) => name === fault)) fault = faults[0].name;
     faultBox.replaceChildren();
-    choice(faultBox, {label: "Fault", options: faults.map(({name}) => plain(name)), value: fault}, (name) => {
+    choice(faultBox, {label: "Fault", options: faults.map(({name}) => name), value: fault}, (name) => {
       fault = name;
       offerVariants();
       draw();
@@ -87,7 +84,7 @@ function breakDevice({controls, task, view}: Place, {core, state}: Page, vectors
     variantBox.replaceChildren();
     variantBox.hidden = variants.length === 1;
     if (variants.length === 1) return;
-    choice(variantBox, {label: "Variant", options: variants.map(plain), value: variant}, (name) => {
+    choice(variantBox, {label: "Variant", options: variants, value: variant}, (name) => {
       variant = name;
       draw();
     });
@@ -121,7 +118,7 @@ function breakDevice({controls, task, view}: Place, {core, state}: Page, vectors
     const wrong = core.verdicts().indexOf("error");
     const errors = sum(report.pixels().map((face) => face.filter((verdict) => verdict === wrong).length));
     diagnosis.set(
-      `${pixels(differences)} differ, ${errors} of them are errors. ` +
+      `${plural(differences, "pixel")} differ, ${errors} of them are errors. ` +
         (report.findings() ? `The diagnosis: ${report.findings()}` : "The diagnosis names no fault."),
     );
     const [error] = report.json().errors;
@@ -142,13 +139,12 @@ function candidates({fault, others}: HiddenDevice): string[] {
 function findFault({controls, task, view}: Place, {state}: Page, vectors: Map<string, Vector>): void {
   let number = state.number("device", 1, {min: 1, max: hiddenDevices.length, step: 1}) - 1;
   const bar = row(controls);
-  const names = hiddenDevices.map((_, k): [string, string] => [String(k), `Device ${k + 1}`]);
+  const names = hiddenDevices.map((_, k): Option => [String(k), `Device ${k + 1}`]);
   choice(bar, {label: "Broken device", options: names, value: String(number)}, (value) => {
     number = Number(value);
     showDevice();
   });
-  const options = vectorNames.map((name): [string, string] => [name, name]);
-  const drawn = choice(bar, {label: "Test vector that it draws", options, value: vectorNames[0]}, showVector);
+  const drawn = choice(bar, {label: "Test vector that it draws", options: vectorNames, value: vectorNames[0]}, showVector);
   const form = element(task, "form", {className: "question"});
   let vector: Vector;
 
@@ -204,7 +200,7 @@ function findFault({controls, task, view}: Place, {state}: Page, vectors: Map<st
     const device = drawWithFault(vector, fault, variant);
     const count = sum(differing(drawWithFault(vector, guess), device));
     return count
-      ? `Not this one: with that fault, ${pixels(count)} of ${vector.name()} would look otherwise. Try again.`
+      ? `Not this one: with that fault, ${plural(count, "pixel")} of ${vector.name()} would look otherwise. Try again.`
       : `Not this one, though on ${vector.name()} it would look the same. Try another vector.`;
   }
 

@@ -1,8 +1,9 @@
 // The hemicube over an element of the Cornell box, unfolded, and the form factors that it gives.
 import {valueColour, type Rgb} from "../colours";
-import {choice, columns, element, question, row, slider, sourceLink, status, text} from "../controls";
+import {choice, columns, element, question, row, slider, sourceLink, status, text, type Control, type Option} from "../controls";
 import type {Elements, HemicubeView, Scene} from "../core";
 import type {Lesson, State} from "../lesson";
+import {largestSize, sum} from "../numbers";
 import {PixelCanvas} from "../pixels";
 import {SceneView} from "../scene_view";
 import {bytesOf, cssColour, texelColour} from "./element_colours";
@@ -49,8 +50,6 @@ pixel of area ΔA at (x, y) on the top face, at distance 1, it is
 <mn>1</mn><mo stretchy="false">)</mo></mrow><mn>2</mn></msup><mo stretchy="false">)</mo></math>.
 The form factor to a surface is the sum over its pixels.`;
 
-const sumOf = (values: Float64Array) => values.reduce((a, b) => a + b, 0);
-const maximumOf = (values: Float64Array) => values.reduce((a, b) => Math.max(a, b), 0);
 const levelOf = (share: number, largest: number) => Math.round((255 * share) / largest);
 
 /** How many times larger the delta form factor in the middle of the top face is than in its corner. */
@@ -68,8 +67,8 @@ class HemicubeLesson {
   private readonly picture: PixelCanvas;
   private readonly folded: FoldedHemicube;
   private readonly table: HTMLElement;
-  private readonly pixel: {set(text: string): void};
-  private readonly command: {set(text: string): void};
+  private readonly pixel: Control<string>;
+  private readonly command: Control<string>;
   private showFrom = () => {};
   private from: Texel;
   private source!: number; // the element of `from`
@@ -128,7 +127,7 @@ class HemicubeLesson {
   /** The place of the patch. */
   private addPlace(parent: HTMLElement): void {
     const span = {min: 0, max: texelsPerSide - 1, step: 1};
-    const surfaces = this.texels.info.surfaces.map(({name}, number): [string, string] => [String(number), name]);
+    const surfaces = this.texels.info.surfaces.map(({name}, number): Option => [String(number), name]);
     const surface = choice(parent, {label: "Patch on", options: surfaces, value: String(this.from.surface)}, (to) =>
       this.move({...this.from, surface: Number(to)}),
     );
@@ -148,7 +147,7 @@ class HemicubeLesson {
   private addSettings(parent: HTMLElement): void {
     const pixels = {label: "Resolution R", ...resolutions, value: this.resolution};
     slider(parent, pixels, (to) => this.setResolution(to));
-    const options: [string, string][] = [["elements", "elements"], ["shares", "delta form factors"]];
+    const options = ["elements", ["shares", "delta form factors"]] as const;
     choice(parent, {label: "Colours", options, value: this.byShare ? "shares" : "elements"}, (to) => {
       this.byShare = to === "shares";
       this.state.set("colours", to);
@@ -205,12 +204,12 @@ class HemicubeLesson {
   }
 
   private formFactorOf(surface: string): number {
-    const parts = this.texels.info.surfaces.map(({first_element, element_count}, part) =>
-      this.texels.whole(part) === surface
-        ? sumOf(this.view.formFactors.subarray(first_element, first_element + element_count))
-        : 0,
+    const parts = this.texels.info.surfaces.filter((_, part) => this.texels.whole(part) === surface);
+    return sum(
+      parts.flatMap(({first_element, element_count}) => [
+        ...this.view.formFactors.subarray(first_element, first_element + element_count),
+      ]),
     );
-    return parts.reduce((a, b) => a + b);
   }
 
   private showSums(): void {
@@ -220,17 +219,17 @@ class HemicubeLesson {
     const surfaces = this.surfaces.map((name) =>
       line(name, this.formFactorOf(name), cssColour(texelColour(hues[name], 1, 1, 0))),
     );
-    const sum = sumOf(formFactors) + background + backs;
+    const total = sum(formFactors) + background + backs;
     this.table.innerHTML = `<table><thead><tr><th scope="col">to</th><th scope="col">form factor</th></tr></thead>
       <tbody>${surfaces.join("")}
       ${line("background", background, cssColour(noElement))}
       ${line("backs", backs, cssColour(noElement))}
-      ${line("sum", sum, "none")}</tbody></table>`;
+      ${line("sum", total, "none")}</tbody></table>`;
   }
 
   private paint(): void {
     const {faces, formFactors} = this.view;
-    const largest = Math.max(...faces.map(({weights}) => maximumOf(weights)));
+    const largest = largestSize(faces.map(({weights}) => largestSize(weights)));
     const ofElement = this.colours.map(bytesOf), background = bytesOf(noElement);
     const pixels = new Uint8ClampedArray(4 * this.cross.length);
     this.cross.forEach((place, i) => {
@@ -243,7 +242,7 @@ class HemicubeLesson {
     this.picture.show(pixels, 2 * this.resolution, 2 * this.resolution);
 
     // Square roots, so that the scene does not become too dark to be seen.
-    const largestRoot = Math.sqrt(maximumOf(formFactors));
+    const largestRoot = Math.sqrt(largestSize(formFactors));
     const colours = this.byShare
       ? Array.from(formFactors, (factor) => palette[levelOf(Math.sqrt(factor), largestRoot)])
       : [...this.colours];

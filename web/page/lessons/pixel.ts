@@ -1,6 +1,6 @@
 // The item ID of a pixel: which triangle covers it, which texel it shows, and the sum of offset and index.
 import type {Rgb} from "../colours";
-import {checkbox, choice, columns, element, question, row, slider, sourceLink, status, text} from "../controls";
+import {checkbox, choice, columns, element, question, row, slider, sourceLink, status, text, type Control} from "../controls";
 import type {Core, Explanation, IdLayout, Scene, Vector, VectorJson} from "../core";
 import type {Lesson, State} from "../lesson";
 import {PixelCanvas} from "../pixels";
@@ -218,9 +218,9 @@ class PixelLesson {
   private readonly sizeObserver = new ResizeObserver(() => this.placeOverlay());
   private readonly maps: HTMLElement;
   private readonly derivation: HTMLElement;
-  private readonly id: {set(text: string): void};
-  private readonly room: {set(text: string): void};
-  private readonly wrong: {set(text: string): void};
+  private readonly id: Control<string>;
+  private readonly room: Control<string>;
+  private readonly wrong: Control<string>;
   private column: number;
   private row: number;
   private drawn: Drawn;
@@ -283,8 +283,7 @@ class PixelLesson {
 
   private addControls(parent: HTMLElement): void {
     const {format, texels, aligned} = this.settings;
-    const options = this.formats.map((name): [string, string] => [name, name]);
-    choice(parent, {label: "Format", options, value: format}, (to) => this.change({format: to}));
+    choice(parent, {label: "Format", options: this.formats, value: format}, (to) => this.change({format: to}));
     const show = (side: number) => `${side} x ${side}`;
     slider(parent, {label: "Texels", ...sides, value: texels, show}, (to) => this.change({texels: to}));
     checkbox(parent, {label: "Aligned offsets", value: aligned}, (to) => this.change({aligned: to}));

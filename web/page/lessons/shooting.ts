@@ -1,8 +1,9 @@
 // Progressive refinement, shot by shot. After an edit of the scene the light is updated instead of computed again.
 import {valueColour} from "../colours";
-import {button, checkbox, choice, columns, element, question, row, slider, sourceLink, status, text} from "../controls";
+import {button, checkbox, choice, columns, element, question, row, slider, sourceLink, status, text, type Control} from "../controls";
 import type {Edit, Elements, Scene, SceneInfo, Solution, SolutionInfo, Vec3} from "../core";
 import type {Lesson, Page, State} from "../lesson";
+import {largestSize, sum} from "../numbers";
 import {Plot} from "../plot";
 import {litColours, SceneView} from "../scene_view";
 
@@ -73,8 +74,6 @@ function editsBetween(from: Changes, to: Changes, {surfaces}: SceneInfo): Edit[]
   }
   return edits;
 }
-
-const sum = (bands: Vec3) => bands[0] + bands[1] + bands[2];
 
 /** A solution, and what was shot since its start. */
 class Shooting {
@@ -176,7 +175,7 @@ class Rate {
   }
 
   get perSecond(): number {
-    return (1000 * this.times.length) / this.times.reduce((total, time) => total + time, 0);
+    return (1000 * this.times.length) / sum(this.times);
   }
 }
 
@@ -255,15 +254,14 @@ function placeSliders(parent: HTMLElement, name: string, state: State, wanted: C
 function addSceneControls(parent: HTMLElement, state: State, wanted: Changes, changed: () => void): void {
   const line = row(parent);
   const sliders = row(parent);
-  const options = objects.map(({name, label}) => [name, label] as [string, string]);
+  const options = objects.map(({name, label}) => [name, label] as const);
   const shown = state.option("object", objects.map(({name}) => name), "short-block");
   choice(line, {label: "Object", options, value: shown}, (name) => {
     state.set("object", name);
     placeSliders(sliders, name, state, wanted, changed);
   });
   placeSliders(sliders, shown, state, wanted, changed);
-  const colours = walls.map((name) => [name, name] as [string, string]);
-  choice(line, {label: "Red wall", options: colours, value: wanted.wall}, (wall) => {
+  choice(line, {label: "Red wall", options: walls, value: wanted.wall}, (wall) => {
     state.set("wall", (wanted.wall = wall));
     changed();
   });
@@ -291,7 +289,7 @@ class Picture {
   readonly view: SceneView;
   private colouring: string;
   private isAmbient: boolean;
-  private readonly legend: {set(text: string): void};
+  private readonly legend: Control<string>;
 
   constructor(
     parent: HTMLElement,
@@ -322,7 +320,7 @@ class Picture {
     const elements = solution.elements(); // patches near their receivers are split before their first shot
     const patchOf = elements.patchOfElement();
     const flux = this.colouring === "unshot" ? solution.unshot() : shotFlux(solution, elements, patchOf);
-    const largest = flux.reduce((most, value) => Math.max(most, Math.abs(value)), 0);
+    const largest = largestSize(flux);
     this.view.setColours(fluxColours(flux, patchOf, largest));
     this.legend.set(`Yellow: ${(largest / 1000).toPrecision(3)} kW. Dark: 0. Red: negative.`);
   }
@@ -342,7 +340,7 @@ class Picture {
 /** How far the solution is: shots, the curve of convergence, and the account of energy. */
 class Progress {
   readonly plot: Plot;
-  private readonly shots: {set(text: string): void};
+  private readonly shots: Control<string>;
   private readonly showEnergy: (info: SolutionInfo) => void;
 
   constructor(parent: HTMLElement) {

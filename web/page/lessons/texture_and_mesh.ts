@@ -1,7 +1,8 @@
 // The same elements drawn by texture and as polygons: pictures, triangles and times.
-import {button, choice, columns, element, question, row, slider, sourceLink, status, text} from "../controls";
+import {button, choice, columns, element, question, row, slider, sourceLink, status, text, type Option} from "../controls";
 import type {Elements, HemicubeView, Scene} from "../core";
 import type {Lesson, Page} from "../lesson";
+import {sum} from "../numbers";
 import {idColours, PixelCanvas} from "../pixels";
 import {Plot} from "../plot";
 
@@ -127,7 +128,7 @@ function show(root: HTMLElement, {scene, state}: Page): () => void {
       requestPictures();
     },
   );
-  const options = resolutions.map((r): [string, string] => [r, `${r} x ${r}`]);
+  const options = resolutions.map((r): Option => [r, `${r} x ${r}`]);
   choice(settings, {label: "Pixels of the top face", options, value: String(resolution)}, (value) => {
     state.set("resolution", (resolution = Number(value)));
     requestPictures();
@@ -179,8 +180,8 @@ function show(root: HTMLElement, {scene, state}: Page): () => void {
     const {tops, different, all} = compare(drawn);
     ways.forEach((way, i) => canvases[i].show(topColours(tops[way]), resolution, resolution));
     const byMesh = drawn.mesh.formFactors;
-    const sum = drawn.texture.formFactors.reduce((total, value, e) => total + Math.abs(value - byMesh[e]), 0);
-    differences.set(`${different} of ${all} pixels differ; form factors by ${sum.toFixed(6)} in all`);
+    const difference = sum(drawn.texture.formFactors.map((value, e) => Math.abs(value - byMesh[e])));
+    differences.set(`${different} of ${all} pixels differ; form factors by ${difference.toFixed(6)} in all`);
   }
 
   function showTimes(): void {

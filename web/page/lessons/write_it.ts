@@ -1,8 +1,9 @@
 // A rasterizer in the page's editor, step by step, compared with the core at every change.
 import {Comparison, describeIds} from "../comparison";
-import {button, choice, columns, element, row, sourceLink, status, text} from "../controls";
+import {button, choice, columns, element, row, sourceLink, status, text, type Option} from "../controls";
 import {showDerivation} from "../derivation";
 import type {Lesson} from "../lesson";
+import {plural} from "../numbers";
 import {CodeEditor} from "../write_it/editor";
 import {judge, Tasks, type Drawn, type Judgement} from "../write_it/judge";
 import {CodeError, helpers, Sandbox} from "../write_it/sandbox";
@@ -41,12 +42,11 @@ function place({view, first}: Drawn): [column: number, row: number] {
 function describe({vectors, passed, shown}: Judgement, step: number): string {
   if (shown.first < 0) {
     const next = step + 1 < allSteps.length ? ` Go on to step ${step + 2}.` : " Your rasterizer is right.";
-    return `Passed: every pixel of ${vectors} test vector${vectors === 1 ? "" : "s"} is right.${next}`;
+    return `Passed: every pixel of ${plural(vectors, "test vector")} is right.${next}`;
   }
   const {vector, wrong} = shown;
   const count = allSteps[step].vectors ? "" : `${passed} of ${vectors} test vectors pass. `;
-  const pixels = wrong === 1 ? "1 wrong pixel" : `${wrong} wrong pixels`;
-  return `${count}Not yet: ${pixels} in ${vector.name()}. The first one is marked.`;
+  return `${count}Not yet: ${plural(wrong, "wrong pixel")} in ${vector.name()}. The first one is marked.`;
 }
 
 export const lesson: Lesson = {
@@ -67,7 +67,7 @@ export const lesson: Lesson = {
       root,
       {
         label: "Step",
-        options: allSteps.map(({title}, k): [string, string] => [String(k), `${k + 1}. ${title}`]),
+        options: allSteps.map(({title}, k): Option => [String(k), `${k + 1}. ${title}`]),
         value: String(step),
       },
       (value) => goTo(Number(value)),

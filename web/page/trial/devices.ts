@@ -1,6 +1,7 @@
 // The devices that the page judges: the visitor's GPU, and simulated devices with a known fault.
 import {openDevice as openWebGL2} from "../../webgl2/backend.js";
 import {openDevice as openWebGPU} from "../../webgpu/backend.js";
+import type {Option} from "../controls";
 import type {ItemBuffers, Vector} from "../core";
 import {drawWithFault} from "../faulty_device";
 
@@ -25,11 +26,10 @@ const simulatedFaults = [
 
 const simulated = "simulated: ";
 
-/** Values and labels. */
-export const deviceChoices: [value: string, label: string][] = [
+export const deviceChoices: readonly Option[] = [
   ["webgl2", "this GPU, with WebGL2"],
   ["webgpu", "this GPU, with WebGPU"],
-  ...simulatedFaults.map((fault): [string, string] => [simulated + fault, `a broken device: ${fault}`]),
+  ...simulatedFaults.map((fault): Option => [simulated + fault, `a broken device: ${fault}`]),
 ];
 
 function simulatedDevice(fault: string): Device {

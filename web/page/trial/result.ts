@@ -2,8 +2,9 @@
 import {element, row} from "../controls";
 import type {Core} from "../core";
 import type {Page} from "../lesson";
+import {sum} from "../numbers";
 import {showProfile} from "./profile_table";
-import {isMeasured, pixelsOf, summaryOf, type Counts, type Trial} from "./trial";
+import {isMeasured, summaryOf, type Counts, type Trial} from "./trial";
 import {showVectors} from "./vector_view";
 
 const inThousands = (count: number): string => count.toLocaleString("en");
@@ -60,7 +61,7 @@ function addDownloads(parent: HTMLElement, core: Core, trial: Trial, signal: Abo
 
 function showSummary(parent: HTMLElement, core: Core, trial: Trial): void {
   const {answers, counts} = trial.measured;
-  const pixels = inThousands(pixelsOf(counts));
+  const pixels = inThousands(sum(counts));
   const seconds = (trial.milliseconds / 1000).toPrecision(3);
   const line = `${trial.device.name}: ${answers.length} vectors, ${pixels} pixels, ${seconds} s.`;
   element(parent, "p", {textContent: line});

@@ -1,5 +1,6 @@
 // Judges a device: it draws the probes, which give its profile, and the suite, whose item IDs are judged.
 import type {Core, ItemBuffers, Profile, Report, Vector} from "../core";
+import {sum} from "../numbers";
 import type {Device} from "./devices";
 import {Slices} from "./slices";
 
@@ -36,12 +37,10 @@ export function countsOf(core: Core, report: Report): Counts {
   return core.verdicts().map((verdict) => pixels[verdict]);
 }
 
-export const pixelsOf = (counts: Counts): number => counts.reduce((sum, count) => sum + count, 0);
-
 /** Exact, explained, errors. */
 export function summaryOf(counts: Counts): {exact: number; explained: number; errors: number} {
   const [exact, errors] = [counts[0], counts[counts.length - 1]];
-  return {exact, explained: pixelsOf(counts) - exact - errors, errors};
+  return {exact, explained: sum(counts) - exact - errors, errors};
 }
 
 /** Keys of a profile by their probes, whose names begin the lines of contradictions. */
@@ -86,7 +85,7 @@ export async function runTrial(
   const judge = async (allowed: Profile): Promise<Judgement> => {
     const answers = await each(drawn, (answer) => ({...answer, report: answer.vector.judge(answer.found, allowed)}));
     const counts = answers.map(({report}) => countsOf(core, report));
-    return {profile: allowed, answers, counts: core.verdicts().map((_, k) => pixelsOf(counts.map((one) => one[k])))};
+    return {profile: allowed, answers, counts: core.verdicts().map((_, k) => sum(counts.map((one) => one[k])))};
   };
   const byDefault = await judge({});
   const measured = await judge(consistentPart(profile, faults));

@@ -1,13 +1,12 @@
 // The judged vectors: pictures, verdicts, the derivation of a pixel, and the smallest case on which the device fails.
-import {button, choice, element, row, status} from "../controls";
+import {button, choice, element, row, status, type Option} from "../controls";
 import type {Core} from "../core";
 import {showDerivation} from "../derivation";
 import {FaceView} from "../face_view";
 import type {Page} from "../lesson";
+import {plural, sum} from "../numbers";
 import {reduceCase, type SmallCase} from "./small_case";
 import {countsOf, summaryOf, type Answer, type Trial} from "./trial";
-
-const plural = (count: number, noun: string): string => `${count} ${noun}${count === 1 ? "" : "s"}`;
 
 interface Listed {
   answer: Answer;
@@ -30,7 +29,7 @@ export function showVectors(parent: HTMLElement, {core, state}: Page, trial: Tri
   const all = trial.measured.answers.map((answer) => listed(core, answer));
   all.sort((a, b) => b.errors - a.errors || b.explained - a.explained);
   const indexOf = (name: string) => Math.max(0, all.findIndex(({answer}) => answer.vector.name() === name));
-  const options = all.map((one, k): [string, string] => [String(k), label(one)]);
+  const options = all.map((one, k): Option => [String(k), label(one)]);
   const first = indexOf(state.text("vector", ""));
   choice(parent, {label: "Vector", options, value: String(first)}, (chosen) => {
     state.set("vector", all[Number(chosen)].answer.vector.name());
@@ -55,8 +54,9 @@ function showVector(parent: HTMLElement, core: Core, {vector, found, report}: An
 }
 
 function smallCaseText({vector, error, drawings}: SmallCase): string {
-  const triangles = vector.json().draws.reduce((sum, {count}) => sum + count / 3, 0);
-  const pixels = vector.json().faces.reduce((sum, {scissor}) => sum + scissor[2] * scissor[3], 0);
+  const {draws, faces} = vector.json();
+  const triangles = sum(draws.map(({count}) => count / 3));
+  const pixels = sum(faces.map(({scissor: [, , columns, rows]}) => columns * rows));
   const origin = (from: string | null) => (from ? ` (${from})` : "");
   return (
     `${plural(triangles, "triangle")} and ${plural(pixels, "pixel")} after ${plural(drawings, "drawing")}: ` +
