@@ -3,7 +3,7 @@ import type {Rgb} from "./colours";
 import {element} from "./controls";
 import {idColours, PixelCanvas} from "./pixels";
 
-export interface Compared {
+interface Compared {
   columns: number;
   rows: number;
   background: number;

@@ -20,7 +20,7 @@ export interface State {
 
 export interface Page {
   core: Core;
-  scene(name: "cornell-box"): Scene;
+  cornellBox(): Scene;
   state: State;
 }
 

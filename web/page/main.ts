@@ -92,7 +92,7 @@ function addHeading(current: Lesson): void {
 
 let endShown = () => {};
 
-function show(core: Core, scene: () => Scene): void {
+function show(core: Core, cornellBox: () => Scene): void {
   endShown();
   endShown = () => {};
   alertBox.replaceChildren();
@@ -109,7 +109,7 @@ function show(core: Core, scene: () => Scene): void {
     endLesson?.();
   };
   try {
-    endLesson = lesson.show(element(root, "div", {className: `lesson ${lesson.id}`}), {core, scene, state});
+    endLesson = lesson.show(element(root, "div", {className: `lesson ${lesson.id}`}), {core, cornellBox, state});
   } catch (error) {
     showError(error);
   }

@@ -1,8 +1,8 @@
 // Pictures of pixels, enlarged, in which a pixel can be selected.
-import {idColour, valueColour, type Rgb} from "./colours";
+import {idColour, type Rgb} from "./colours";
 import {element} from "./controls";
 
-export interface PixelOptions {
+interface PixelOptions {
   label: string;
   columns: number;
   rows: number;
@@ -109,23 +109,14 @@ const arrows: Record<string, [number, number] | undefined> = {
   ArrowUp: [0, 1],
 };
 
-function pixelsOf(values: ArrayLike<number>, colour: (value: number) => Rgb): Uint8ClampedArray {
-  const pixels = new Uint8ClampedArray(4 * values.length);
-  const known = new Map<number, Rgb>();
-  for (let i = 0; i < values.length; ++i) {
-    let rgb = known.get(values[i]);
-    if (!rgb) known.set(values[i], (rgb = colour(values[i])));
+/** RGBA in bytes: a colour of its own per item ID; the background is dark. */
+export function idColours(ids: ArrayLike<number>, background: number): Uint8ClampedArray {
+  const pixels = new Uint8ClampedArray(4 * ids.length);
+  const known = new Map<number, Rgb>([[background, [0.1, 0.1, 0.12]]]);
+  for (let i = 0; i < ids.length; ++i) {
+    let rgb = known.get(ids[i]);
+    if (!rgb) known.set(ids[i], (rgb = idColour(ids[i])));
     pixels.set([255 * rgb[0], 255 * rgb[1], 255 * rgb[2], 255], 4 * i);
   }
   return pixels;
-}
-
-/** A colour of its own per item ID; the background is dark. */
-export function idColours(ids: ArrayLike<number>, background: number): Uint8ClampedArray {
-  return pixelsOf(ids, (id) => (id === background ? [0.1, 0.1, 0.12] : idColour(id)));
-}
-
-/** Dark for 0, bright for `largest`. */
-export function valueColours(values: ArrayLike<number>, largest: number): Uint8ClampedArray {
-  return pixelsOf(values, (value) => valueColour(largest > 0 ? value / largest : 0));
 }

@@ -13,13 +13,12 @@ import {element} from "./controls";
 
 Chart.register(Legend, LinearScale, LineElement, LogarithmicScale, PointElement, ScatterController, Tooltip);
 
-export interface PlotOptions {
+interface PlotOptions {
   label: string;
   x: string;
   y: string;
   logarithmicX?: boolean;
   logarithmicY?: boolean;
-  points?: boolean; // without lines
 }
 
 export interface Series {
@@ -38,11 +37,9 @@ const isRound = (value: number) => /^[125]e/.test(value.toExponential());
 
 export class Plot {
   private readonly chart: Chart<"scatter">;
-  private readonly points: boolean;
   private readonly textColour: string;
 
-  constructor(parent: HTMLElement, {label, x, y, logarithmicX, logarithmicY, points = false}: PlotOptions) {
-    this.points = points;
+  constructor(parent: HTMLElement, {label, x, y, logarithmicX, logarithmicY}: PlotOptions) {
     const box = element(parent, "div", {className: "plot"});
     const canvas = element(box, "canvas", {role: "img", ariaLabel: label});
     const style = getComputedStyle(parent);
@@ -77,11 +74,11 @@ export class Plot {
     this.chart.data.datasets = series.map(({name, points, isMarked}, index) => ({
       label: name,
       data: points.map(([x, y]) => ({x, y})),
-      showLine: !this.points,
+      showLine: true,
       borderColor: colours[index],
       backgroundColor: colours[index],
       borderWidth: 2,
-      pointRadius: isMarked ? 7 : points.length > 50 && !this.points ? 0 : 3,
+      pointRadius: isMarked ? 7 : points.length > 50 ? 0 : 3,
       pointStyle: isMarked ? "rectRot" : "circle",
       order: isMarked ? 0 : 1,
     }));

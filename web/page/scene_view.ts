@@ -18,8 +18,6 @@ import {encodeSrgb} from "./colours";
 import {element as child} from "./controls";
 import type {Elements, Scene} from "./core";
 
-export {litColours} from "./colours";
-
 // The colour of the texel. Alpha is 0 in marked texels; they have an outline, white outside and black inside.
 const fragmentShader = `
 uniform sampler2D texels;
@@ -59,7 +57,7 @@ interface SurfaceMesh {
   elementOfTexel: Uint32Array;
 }
 
-export interface SceneViewOptions {
+interface SceneViewOptions {
   label: string;
   scene: Scene;
   elements: Elements;

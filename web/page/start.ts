@@ -1,16 +1,18 @@
 // The start: what the method is, and the Cornell box lit by it.
+import {litColours} from "./colours";
 import {columns, element, sourceLink, status, text} from "./controls";
 import type {Lesson} from "./lesson";
-import {litColours, SceneView} from "./scene_view";
+import {SceneView} from "./scene_view";
 
 export const lesson: Lesson = {
   id: "start",
   title: "Start",
-  show(root, {scene}) {
+  show(root, {cornellBox}) {
     const [left, right] = columns(root);
-    const elements = scene("cornell-box").discretize({texel_size: 35});
+    const scene = cornellBox();
+    const elements = scene.discretize({texel_size: 35});
     const solution = elements.solve({resolution: 128, split: 1, rotated: false, residual: 0.1});
-    const view = new SceneView(left, {label: "The Cornell box in 3-D", scene: scene("cornell-box"), elements});
+    const view = new SceneView(left, {label: "The Cornell box in 3-D", scene, elements});
     view.setColours(litColours(solution.radiosity()));
     text(
       right,

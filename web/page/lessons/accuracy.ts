@@ -231,9 +231,9 @@ function seriesOf({tried, truth}: Source, now: Tried): Series[] {
   ];
 }
 
-function show(root: HTMLElement, {scene, state}: Page): () => void {
-  const box = scene("cornell-box");
-  const divided = box.discretize({texels});
+function show(root: HTMLElement, {cornellBox, state}: Page): () => void {
+  const scene = cornellBox();
+  const divided = scene.discretize({texels});
   const known = new Map<string, Source>();
   const setting = settingOf(state);
   const names = sources.map(([name]) => name);
@@ -243,7 +243,7 @@ function show(root: HTMLElement, {scene, state}: Page): () => void {
 
   const [left, right] = columns(root);
   const label = "The Cornell box, coloured by the error of each element";
-  const view = new SceneView(left, {label, scene: box, elements: divided});
+  const view = new SceneView(left, {label, scene, elements: divided});
   const legend = status(left, "legend");
   const choices = row(left);
   choice(choices, {label: "Source", options: sources, value: first}, (name) => {

@@ -1,6 +1,9 @@
 // Colours of elements: a hue per surface; lightness grows with the index of the texel, and neighbours differ.
 import {okLch, type Rgb} from "../colours";
 
+/** Of what is no element. */
+export const backgroundColour: Rgb = [0.24, 0.24, 0.27];
+
 /** `hue` in turns of OKLab. */
 export function texelColour(hue: number, columns: number, rows: number, index: number): Rgb {
   const odd = ((index % columns) + Math.floor(index / columns)) % 2;

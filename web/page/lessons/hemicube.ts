@@ -6,7 +6,7 @@ import type {Lesson, State} from "../lesson";
 import {largestSize, sum} from "../numbers";
 import {PixelCanvas} from "../pixels";
 import {SceneView} from "../scene_view";
-import {bytesOf, cssColour, texelColour} from "./element_colours";
+import {backgroundColour, bytesOf, cssColour, texelColour} from "./element_colours";
 import {FoldedHemicube} from "./folded_hemicube";
 import {Texels, type Texel} from "./texel_names";
 import {unfoldedHemicube, type FacePixel} from "./unfolded_hemicube";
@@ -25,22 +25,8 @@ const hues: Record<string, number> = {
   "tall-block": 0.83,
   light: 0.3,
 };
-const noElement: Rgb = [0.24, 0.24, 0.27];
 const palette = Array.from({length: 256}, (_, level) => valueColour(level / 255));
 const paletteBytes = palette.map(bytesOf);
-
-const style = `
-.hemicube .scene-view { height: min(400px, 100vw); }
-.hemicube-cross { position: relative; }
-.hemicube-result { display: flex; flex-wrap: wrap; gap: 0 20px; }
-.hemicube table { font-variant-numeric: tabular-nums; }
-.hemicube td { text-align: right; }
-.hemicube th { font-weight: normal; }
-.hemicube th, .hemicube td { padding: 1px 8px; border-width: 0; }
-.hemicube tr[data-name="sum"] > * { font-weight: bold; border-width: 1px 0 0; }
-.hemicube tr.current > * { background: var(--accent); color: var(--on-accent); }
-.hemicube .swatch { display: inline-block; width: 0.8em; height: 0.8em; margin-right: 6px; }
-`;
 
 const introduction = `A hemicube is half a cube over a patch (Cohen and Greenberg 1985). The renderer draws the scene on
 its five faces. The share of the patch's light that passes through a pixel is its <em>delta form factor</em>. For a
@@ -90,7 +76,6 @@ class HemicubeLesson {
     this.byShare = state.text("colours", "elements") === "shares";
     this.foldedBy = state.number("fold", 0, angles);
 
-    element(root, "style", {textContent: style});
     const [left, right] = columns(root);
     this.sceneView = new SceneView(left, {label: "The Cornell box and its elements", scene, elements: this.elements});
     this.sceneView.onPick((picked) => this.move(this.texels.of(picked)));
@@ -215,22 +200,22 @@ class HemicubeLesson {
   private showSums(): void {
     const {formFactors, background, backs} = this.view;
     const line = (name: string, value: number, colour: string) => `<tr data-name="${name}"><th scope="row">
-      <span class="swatch" style="background: ${colour}"></span>${name}</th><td>${value.toFixed(4)}</td></tr>`;
+      <span class="colour-mark" style="background: ${colour}"></span>${name}</th><td>${value.toFixed(4)}</td></tr>`;
     const surfaces = this.surfaces.map((name) =>
       line(name, this.formFactorOf(name), cssColour(texelColour(hues[name], 1, 1, 0))),
     );
     const total = sum(formFactors) + background + backs;
     this.table.innerHTML = `<table><thead><tr><th scope="col">to</th><th scope="col">form factor</th></tr></thead>
       <tbody>${surfaces.join("")}
-      ${line("background", background, cssColour(noElement))}
-      ${line("backs", backs, cssColour(noElement))}
+      ${line("background", background, cssColour(backgroundColour))}
+      ${line("backs", backs, cssColour(backgroundColour))}
       ${line("sum", total, "none")}</tbody></table>`;
   }
 
   private paint(): void {
     const {faces, formFactors} = this.view;
     const largest = largestSize(faces.map(({weights}) => largestSize(weights)));
-    const ofElement = this.colours.map(bytesOf), background = bytesOf(noElement);
+    const ofElement = this.colours.map(bytesOf), background = bytesOf(backgroundColour);
     const pixels = new Uint8ClampedArray(4 * this.cross.length);
     this.cross.forEach((place, i) => {
       if (!place) return;
@@ -282,8 +267,8 @@ class HemicubeLesson {
 export const lesson: Lesson = {
   id: "hemicube",
   title: "2. The hemicube",
-  show(root, {scene, state}) {
-    const shown = new HemicubeLesson(root, scene("cornell-box"), state);
+  show(root, {cornellBox, state}) {
+    const shown = new HemicubeLesson(root, cornellBox(), state);
     return () => shown.end();
   },
 };

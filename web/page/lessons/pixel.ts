@@ -4,7 +4,7 @@ import {checkbox, choice, columns, element, question, row, slider, sourceLink, s
 import type {Core, Explanation, IdLayout, Scene, Vector, VectorJson} from "../core";
 import type {Lesson, State} from "../lesson";
 import {PixelCanvas} from "../pixels";
-import {bytesOf, cssColour, texelColour} from "./element_colours";
+import {backgroundColour, bytesOf, cssColour, texelColour} from "./element_colours";
 
 const resolution = 16;
 const pixels = {min: 0, max: resolution - 1, step: 1};
@@ -40,27 +40,7 @@ const surfaceNames = ["ceiling", "board", "tile", "patch"];
 const hues = [0.72, 0.4, 0.1, 0.8];
 
 const wrongColour: Rgb = [0.72, 0, 0.6];
-const backgroundColour: Rgb = [0.24, 0.24, 0.27];
 const selectedTexel = "#ffd400";
-
-const style = `
-.pixel-picture { position: relative; }
-.pixel-picture svg { position: absolute; pointer-events: none; }
-.pixel-maps { display: flex; flex-wrap: wrap; gap: 8px 16px; align-items: center; margin-bottom: 8px; }
-.pixel-maps svg { width: min(180px, 40vw); }
-.pixel-maps tr.current > * { background: var(--accent); color: var(--on-accent); }
-.pixel .swatch { display: inline-block; width: 0.8em; height: 0.8em; margin-right: 6px; }
-.pixel th { font-weight: normal; }
-.pixel td { text-align: right; font-variant-numeric: tabular-nums; }
-.pixel ol { margin-bottom: 6px; }
-.pixel-derivation { min-height: 250px; }
-.pixel-maps .plus { font-size: 24px; }
-.pixel .sum { margin: 4px 0; }
-.pixel .sum th, .pixel .sum td { padding: 0 min(5px, 0.8vw); border-width: 0; white-space: nowrap; }
-.pixel .sum td { font: min(13px, 2.7vw) ui-monospace, monospace; } /* 32 bits fit on a phone */
-.pixel .sum tr.result > * { border-top-width: 1px; font-weight: bold; }
-.pixel .sum td.clamped { background: ${cssColour(wrongColour)}; color: #fff; }
-`;
 
 interface Settings {
   format: string;
@@ -144,7 +124,7 @@ function offsets({pages}: IdLayout, current: number): string {
   const lines = pages.map(({offset, columns, rows}, surface) => {
     const colour = cssColour(texelColour(hues[surface], columns, rows, 0));
     return `<tr${surface === current ? ' class="current"' : ""}><th scope="row">
-      <span class="swatch" style="background: ${colour}"></span>${surfaceNames[surface]}</th><td>${offset}</td></tr>`;
+      <span class="colour-mark" style="background: ${colour}"></span>${surfaceNames[surface]}</th><td>${offset}</td></tr>`;
   });
   return `<table><thead><tr><th scope="col">surface</th><th scope="col">offset</th></tr></thead>
     <tbody>${lines.join("")}</tbody></table>`;
@@ -237,7 +217,6 @@ class PixelLesson {
     this.scene = core.loadScene({"scene.obj": sceneText}, "scene.obj");
     this.drawn = draw(this.scene, this.settings);
 
-    element(root, "style", {textContent: style});
     const [left, right] = columns(root);
     text(left, `Three surfaces, seen from a patch below them. Each pixel holds the number of the element that it shows,
       its <em>item ID</em>. Point at a pixel.`);

@@ -1,11 +1,11 @@
 // Progressive refinement, shot by shot. After an edit of the scene the light is updated instead of computed again.
-import {valueColour} from "../colours";
+import {litColours, valueColour} from "../colours";
 import {button, checkbox, choice, columns, element, question, row, slider, sourceLink, status, text, type Control} from "../controls";
 import type {Edit, Elements, Scene, SceneInfo, Solution, SolutionInfo, Vec3} from "../core";
 import type {Lesson, Page, State} from "../lesson";
 import {largestSize, sum} from "../numbers";
 import {Plot} from "../plot";
-import {litColours, SceneView} from "../scene_view";
+import {SceneView} from "../scene_view";
 
 // Few patches, so that an update takes less than a fifth of a second. The faces of the blocks are small.
 const elementSettings = {texels: 16, surface_texels: {"short-block": 8, "tall-block": 8}, patch: 4, editable: true};
@@ -363,15 +363,16 @@ class Progress {
   }
 }
 
-function show(root: HTMLElement, {scene, state}: Page): () => void {
-  const shooting = new Shooting(scene("cornell-box"));
+function show(root: HTMLElement, {cornellBox, state}: Page): () => void {
+  const scene = cornellBox();
+  const shooting = new Shooting(scene);
   const wanted = changesOf(state);
   const rate = new Rate();
   let isRunning = false;
   let frame = 0;
 
   const [left, right] = columns(root);
-  const picture = new Picture(left, scene("cornell-box"), shooting, state);
+  const picture = new Picture(left, scene, shooting, state);
   addSceneControls(left, state, wanted, request);
   const pictures = status(left, "pictures-per-second");
   pictures.set("Move an object, dim the lamp, paint the wall: the light follows.");

@@ -105,11 +105,10 @@ function addText(parent: HTMLElement): void {
   );
 }
 
-function show(root: HTMLElement, {scene, state}: Page): () => void {
-  const box = scene("cornell-box");
+function show(root: HTMLElement, {cornellBox, state}: Page): () => void {
   const known = new Map<number, Divided>();
   const divided = (power: number): Divided => {
-    const elements = known.get(power) ?? divide(box, power);
+    const elements = known.get(power) ?? divide(cornellBox(), power);
     known.set(power, elements);
     return elements;
   };
