@@ -1,6 +1,7 @@
 // Three pictures side by side: expected item IDs, found ones, and where they differ.
 import type {Rgb} from "./colours";
 import {element} from "./controls";
+import type {ErrorPixel} from "./core";
 import {idColours, PixelCanvas} from "./pixels";
 
 interface Compared {
@@ -27,6 +28,12 @@ export const verdictColours: Record<string, Rgb> = {
 export function describeIds(expected: number, found: number, background: number): string {
   const named = (id: number) => (id === background ? "the background" : String(id));
   return `expected ${named(expected)}, found ${named(found)}`;
+}
+
+/** "expected 266 (texel 10 of draw 1), found 16777215 (background)" */
+export function describeError({expected, expected_from, found, found_from}: ErrorPixel): string {
+  const from = (origin: string | null) => (origin ? ` (${origin})` : "");
+  return `expected ${expected}${from(expected_from)}, found ${found}${from(found_from)}`;
 }
 
 export class Comparison {

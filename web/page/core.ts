@@ -51,8 +51,36 @@ export interface VectorArrays {
 /** The item IDs of the faces of a vector, row 0 first. */
 export type ItemBuffers = Uint32Array[];
 
-/** The derivation of a pixel; reference/conformance/verdict/explanation.h has the keys. */
-export type Explanation = any;
+/** A sum of offset and texel in one channel. */
+export interface ChannelSum {
+  bits: number;
+  offset: number;
+  texel: number;
+  result: number;
+}
+/** How the visible triangle gives the item ID of a pixel. */
+export interface Derivation {
+  triangle: number;
+  draw: number;
+  clip: {cut_by: string[]};
+  corners: {view: Vec3; snapped: [x: number, y: number]}[]; // snapped: in 1/256 pixel
+  sample: [x: number, y: number]; // in 1/256 pixel
+  faces_away: boolean;
+  edges: {value: number; kind: string}[];
+  inverse_depth: number;
+  u: number;
+  v: number;
+  texel: {width: number; height: number; position: [number, number]; column: number; row: number; index: number} | null;
+  sums: ChannelSum[]; // empty without a texel
+  runner_up: {draw: number; inverse_depth: number} | null; // the next triangle behind
+}
+/** The item ID of a pixel; reference/conformance/verdict/explanation.h has more keys. */
+export interface Explanation {
+  column: number;
+  row: number;
+  word: number; // the item ID
+  derivation: Derivation | null; // null: the background
+}
 
 /** A device profile; reference/conformance/verdict/device_profile.h has the keys and their defaults. */
 export type Profile = Record<string, number | string | boolean>;
@@ -265,7 +293,10 @@ export interface Core {
 
 declare const startedCore: Promise<{[name: string]: unknown}> | undefined; // without WebAssembly
 
-/** The WebAssembly module; throws if the browser does not run it. A script before this one starts it. Conformance records need SHA-256. */
+/**
+ * The WebAssembly module; throws if the browser does not run it. A script before this one starts it. Conformance records
+ * need SHA-256.
+ */
 export async function startCore(): Promise<Core> {
   const functions = await startedCore?.catch(() => undefined); // the console has the reason
   if (!functions) throw new Error("This page needs WebAssembly with SIMD, and this browser does not run it.");

@@ -1,6 +1,6 @@
 // The derivation of a pixel as a table (reference/conformance/verdict/explanation.h).
 import {element} from "./controls";
-import type {Vector} from "./core";
+import type {Explanation, Vector} from "./core";
 
 /** Integers are exact. */
 function digits(value: number): string {
@@ -12,23 +12,22 @@ function point(numbers: number[]): string {
 }
 
 /** Names of the steps with their values. */
-function stepsOf(explanation: any): [string, string][] {
-  const {derivation} = explanation;
+function stepsOf({derivation}: Explanation): [name: string, value: string][] {
   if (!derivation) return [["no triangle", "none covers the sample: background"]];
   const {corners, sample, edges, inverse_depth, u, v, texel, sums, faces_away, clip, runner_up} = derivation;
-  const steps: [string, string][] = [
+  const steps: [name: string, value: string][] = [
     ["triangle", `${derivation.triangle} of draw ${derivation.draw}${faces_away ? ", faces away" : ""}`],
-    ["corners x, y, w", corners.map((corner: any) => point(corner.view)).join(" ")],
-    ["snapped", corners.map((corner: any) => point(corner.snapped)).join(" ")],
+    ["corners x, y, w", corners.map(({view}) => point(view)).join(" ")],
+    ["snapped", corners.map((corner) => point(corner.snapped)).join(" ")],
     ["sample", point(sample)],
-    ["edge functions", edges.map(({value, kind}: any) => (value ? digits(value) : `0 (${kind})`)).join(", ")],
+    ["edge functions", edges.map(({value, kind}) => (value ? digits(value) : `0 (${kind})`)).join(", ")],
     ["1/w", digits(inverse_depth) + (runner_up ? `, of the next triangle ${digits(runner_up.inverse_depth)}` : "")],
   ];
   if (clip.cut_by.length) steps.splice(1, 0, ["clipped", clip.cut_by.join(", ")]);
   if (texel) {
     steps.push(["u, v", `${digits(u)}, ${digits(v)}`]);
     steps.push(["texel", `column ${texel.column}, row ${texel.row} of ${texel.width} × ${texel.height}`]);
-    steps.push(["offset + texel", sums.map((s: any) => `${s.offset} + ${s.texel} → ${s.result}`).join(", ")]);
+    steps.push(["offset + texel", sums.map((sum) => `${sum.offset} + ${sum.texel} → ${sum.result}`).join(", ")]);
   }
   return steps;
 }

@@ -1,7 +1,8 @@
 // Devices with a known fault: what they draw, how the diagnosis names the fault, and hidden ones to be named.
 import {hiddenDevices, type HiddenDevice} from "../break_it/hidden_devices";
+import {describeError} from "../comparison";
 import {button, choice, columns, element, row, sourceLink, status, text, type Option} from "../controls";
-import type {Core, ErrorPixel, ItemBuffers, Vector} from "../core";
+import type {Core, ItemBuffers, Vector} from "../core";
 import {differing, FaceView} from "../face_view";
 import {drawWithFault} from "../faulty_device";
 import type {Lesson, Page, State} from "../lesson";
@@ -30,14 +31,6 @@ const vectorNames = [
 function vectorsOf(core: Core): Map<string, Vector> {
   const suite = new Map(core.suite().map((vector) => [vector.name(), vector]));
   return new Map(vectorNames.map((name) => [name, suite.get(name)!]));
-}
-
-function describe({kind, face, column, row: line, expected, expected_from, found, found_from}: ErrorPixel): string {
-  const from = (origin: string | null) => (origin ? ` (${origin})` : "");
-  return (
-    `The first error: ${kind} at column ${column}, row ${line} of ${face}, expected ${expected}` +
-    `${from(expected_from)}, found ${found}${from(found_from)}.`
-  );
 }
 
 /** The parts of the page for one task. */
@@ -122,7 +115,9 @@ function breakDevice({controls, task, view}: Place, {core, state}: Page, vectors
         (report.findings() ? `The diagnosis: ${report.findings()}` : "The diagnosis names no fault."),
     );
     const [error] = report.json().errors;
-    if (error) firstError.set(describe(error));
+    if (!error) return;
+    const {kind, column, row: line, face} = error;
+    firstError.set(`The first error: ${kind} at column ${column}, row ${line} of ${face}, ${describeError(error)}.`);
   }
 
   offerFaults();

@@ -1,7 +1,7 @@
 // The item ID of a pixel: which triangle covers it, which texel it shows, and the sum of offset and index.
 import type {Rgb} from "../colours";
 import {checkbox, choice, columns, element, question, row, slider, sourceLink, status, text, type Control} from "../controls";
-import type {Core, Explanation, IdLayout, Scene, Vector, VectorJson} from "../core";
+import type {ChannelSum, Core, Explanation, IdLayout, Scene, Vector, VectorJson} from "../core";
 import type {Lesson, State} from "../lesson";
 import {PixelCanvas} from "../pixels";
 import {backgroundColour, bytesOf, cssColour, texelColour} from "./element_colours";
@@ -101,14 +101,14 @@ function overlay({ids, exact, json}: Drawn, {derivation}: Explanation): string {
     const x = (pixel % resolution) + 0.5, y = resolution - Math.floor(pixel / resolution) - 0.35;
     return `<text x="${x}" y="${y}" fill="${id === exact[pixel] ? "#000" : "#fff"}">${id}</text>`;
   });
-  const corner = ({snapped: [x, y]}: {snapped: [number, number]}) => `${x / 256},${resolution - y / 256}`;
-  const triangle = derivation
-    ? `<polygon points="${derivation.corners.map(corner).join(" ")}" fill="none" stroke="#fff" stroke-width="0.1"/>`
+  const corners = derivation?.corners.map(({snapped: [x, y]}) => `${x / 256},${resolution - y / 256}`);
+  const triangle = corners
+    ? `<polygon points="${corners.join(" ")}" fill="none" stroke="#fff" stroke-width="0.1"/>`
     : "";
   return `${triangle}<g font-size="0.42" text-anchor="middle">${numbers.join("")}</g>`;
 }
 
-function indexMap(texels: number, selected: number): string {
+function indexMap(texels: number, selected: number | undefined): string {
   const cells = Array.from({length: texels * texels}, (_, index) => {
     const x = index % texels, y = texels - 1 - Math.floor(index / texels);
     const level = Math.round(110 + (130 * index) / (texels * texels));
@@ -128,13 +128,6 @@ function offsets({pages}: IdLayout, current: number): string {
   });
   return `<table><thead><tr><th scope="col">surface</th><th scope="col">offset</th></tr></thead>
     <tbody>${lines.join("")}</tbody></table>`;
-}
-
-interface ChannelSum {
-  bits: number;
-  offset: number;
-  texel: number;
-  result: number;
 }
 
 /** The addition in binary, the most significant channel first, and in decimal. */
@@ -161,13 +154,13 @@ function addition(format: string, sums: ChannelSum[], decimal: [offset: number, 
 const rounded = (value: number) => String(Number(value.toPrecision(4)));
 
 function derivationText(drawn: Drawn, format: string, {derivation, word}: Explanation): string {
-  if (!derivation) return `<p>No triangle covers the sample: the pixel keeps the background, all bits set.</p>`;
+  if (!derivation?.texel) return `<p>No triangle covers the sample: the pixel keeps the background, all bits set.</p>`;
   const {triangle, edges, texel, sums, inverse_depth, runner_up} = derivation;
   const nameOf = (number: number) => surfaceNames[surfaceOfDraw(drawn, number)];
   const behind = runner_up
     ? `Behind it is the ${nameOf(runner_up.draw)}, 1/w = ${rounded(runner_up.inverse_depth)}.`
     : "There is nothing behind it.";
-  const values = edges.map(({value}: {value: number}) => value).join(", ");
+  const values = edges.map(({value}) => value).join(", ");
   return `<ol>
     <li><b>Edge functions</b> of triangle ${triangle}: ${values}, all ≥ 0.</li>
     <li><b>Depth</b>: 1/w = ${rounded(inverse_depth)} on the ${nameOf(derivation.draw)}. ${behind}</li>
@@ -314,7 +307,7 @@ class PixelLesson {
     const {derivation, word} = explanation;
     this.overlay.innerHTML = overlay(this.drawn, explanation);
     this.maps.innerHTML =
-      indexMap(this.settings.texels, derivation?.texel.index) +
+      indexMap(this.settings.texels, derivation?.texel?.index) +
       `<span class="plus">+</span>` +
       offsets(this.drawn.layout, derivation ? surfaceOfDraw(this.drawn, derivation.draw) : -1);
     this.id.set(`Pixel (${this.column}, ${this.row}): item ID ${word}`);

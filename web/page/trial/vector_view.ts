@@ -1,4 +1,5 @@
 // The judged vectors: pictures, verdicts, the derivation of a pixel, and the smallest case on which the device fails.
+import {describeError} from "../comparison";
 import {button, choice, element, row, status, type Option} from "../controls";
 import type {Core} from "../core";
 import {showDerivation} from "../derivation";
@@ -57,11 +58,8 @@ function smallCaseText({vector, error, drawings}: SmallCase): string {
   const {draws, faces} = vector.json();
   const triangles = sum(draws.map(({count}) => count / 3));
   const pixels = sum(faces.map(({scissor: [, , columns, rows]}) => columns * rows));
-  const origin = (from: string | null) => (from ? ` (${from})` : "");
-  return (
-    `${plural(triangles, "triangle")} and ${plural(pixels, "pixel")} after ${plural(drawings, "drawing")}: ` +
-    `expected ${error.expected}${origin(error.expected_from)}, found ${error.found}${origin(error.found_from)}`
-  );
+  const size = `${plural(triangles, "triangle")} and ${plural(pixels, "pixel")}`;
+  return `${size} after ${plural(drawings, "drawing")}: ${describeError(error)}`;
 }
 
 function addReduction(parent: HTMLElement, trial: Trial, answer: Answer, signal: AbortSignal): void {
