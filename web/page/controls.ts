@@ -179,8 +179,11 @@ function numberField(
   {answer, tolerance}: {answer: () => number; tolerance: number},
 ): () => boolean {
   const line = element(parent, "label", {className: "line", textContent: "Answer:"});
-  const input = element(line, "input", {type: "number", step: "any", required: true});
-  return () => Math.abs(input.valueAsNumber - answer()) <= tolerance;
+  // Number inputs drop the decimal comma where the language of the browser has a point.
+  const pattern = "\\s*[+\\-]?(\\d+[.,]?\\d*|[.,]\\d+)\\s*";
+  const input = element(line, "input", {type: "text", inputMode: "decimal", autocomplete: "off", required: true});
+  Object.assign(input, {pattern, title: "A number, such as 8 or 0.5"});
+  return () => Math.abs(Number(input.value.replace(",", ".")) - answer()) <= tolerance;
 }
 
 /** A link to a file of the repository, in which the page lies in build/web. */
