@@ -78,16 +78,17 @@ function markNavigation(current: Lesson): void {
     else link.removeAttribute("aria-current");
 }
 
-/** The title, and links to the lessons before and after. */
-function addHeading(current: Lesson): void {
+/** The title, and links to the lessons before and after. Returns the title. */
+function addHeading(current: Lesson): HTMLElement {
   const heading = element(root, "div", {className: "heading"});
-  element(heading, "h2", {textContent: current.title});
+  const title = element(heading, "h2", {textContent: current.title, tabIndex: -1});
   const place = lessons.indexOf(current);
   const link = (to: Lesson | undefined, rel: string, text: string) => {
     if (to) element(heading, "a", {href: `#${to.id}`, rel, title: to.title, textContent: text});
   };
   link(lessons[place - 1], "prev", "← back");
   link(lessons[place + 1], "next", "next →");
+  return title;
 }
 
 let endShown = () => {};
@@ -101,8 +102,10 @@ function show(core: Core, cornellBox: () => Scene): void {
   const state = new AddressState(lesson.id, new URLSearchParams(settings.join("&")));
   document.title = `${lesson.title} - hemitex`;
   markNavigation(lesson);
+  const hadFocus = root.contains(document.activeElement);
   root.replaceChildren();
-  addHeading(lesson);
+  const heading = addHeading(lesson);
+  if (hadFocus) heading.focus();
   let endLesson: (() => void) | void;
   endShown = () => {
     state.end();
