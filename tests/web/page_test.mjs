@@ -14,11 +14,16 @@
 //        open(settings)                  loads the lesson anew with settings as in its address, for example "x=3&y=4"
 //        address()                       the settings in the address, for example "x=3&y=4"
 //        run(...arguments)               what the command line prints; its folder is the repository. The program is
-//                                 that of the environment's HEMITEX, otherwise build/release/bin/hemitex
+//                                        that of the environment's HEMITEX, otherwise build/release/bin/hemitex
+//        formFactors(...options)         the form factors that hemitex formfactors writes for the Cornell box
+//        folder                          a folder for files, which is removed after the checks
+//        answers([[answer, verdict] ...]) gives answers to the question, numbers or labels of options, and checks how
+//                                        the verdicts begin
 import assert from "node:assert/strict";
 import {execFileSync} from "node:child_process";
-import {existsSync, mkdirSync, readFileSync} from "node:fs";
+import {existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync} from "node:fs";
 import {createRequire} from "node:module";
+import {tmpdir} from "node:os";
 import {join} from "node:path";
 import {fileURLToPath, pathToFileURL} from "node:url";
 import {gzipSync} from "node:zlib";
@@ -45,7 +50,26 @@ async function until(condition, what) {
   }
 }
 
-function toolsOf(page, id) {
+const run = (...args) => execFileSync(hemitex, args, {cwd: top, encoding: "utf8"});
+
+function formFactors(...options) {
+  const table = run("formfactors", "data/cornell-box.obj", "-q", ...options);
+  const [head, ...lines] = table.trim().split("\n").map((line) => line.split(","));
+  return lines.map((line) => Number(line[head.indexOf("form_factor")]));
+}
+
+async function answers(page, expected) {
+  const field = page.getByLabel("Answer:");
+  for (const [answer, verdict] of expected) {
+    if (await field.count()) await field.fill(String(answer));
+    else await page.getByLabel(answer, {exact: true}).check();
+    await page.getByRole("button", {name: "Check"}).click();
+    const found = await page.getByTestId("verdict").innerText();
+    assert.ok(found.startsWith(verdict), `answer ${answer}: ${found}`);
+  }
+}
+
+function toolsOf(page, id, folder) {
   return {
     equal: (found, expected, what) => assert.equal(JSON.stringify(found), JSON.stringify(expected), what),
     close: (found, expected, tolerance, what) =>
@@ -59,7 +83,10 @@ function toolsOf(page, id) {
       await shown(page, id);
     },
     address: () => new URL(page.url()).hash.split("&").slice(1).join("&"),
-    run: (...args) => execFileSync(hemitex, args, {cwd: top, encoding: "utf8"}),
+    run,
+    formFactors,
+    folder,
+    answers: (expected) => answers(page, expected),
   };
 }
 
@@ -80,8 +107,8 @@ async function openPage(browser, window) {
   return page;
 }
 
-/** The number of colours in a screenshot, at most 2; decoded by the browser. */
-function colours(page, png) {
+/** Whether all pixels of a screenshot have the same colour; the browser decodes it. */
+function isBlank(page, png) {
   return page.evaluate(async (base64) => {
     const image = new Image();
     image.src = `data:image/png;base64,${base64}`;
@@ -90,14 +117,14 @@ function colours(page, png) {
     const context = new OffscreenCanvas(width, height).getContext("2d");
     context.drawImage(image, 0, 0);
     const pixels = new Uint32Array(context.getImageData(0, 0, width, height).data.buffer);
-    return pixels.some((pixel) => pixel !== pixels[0]) ? 2 : 1;
+    return pixels.every((pixel) => pixel === pixels[0]);
   }, png.toString("base64"));
 }
 
 async function checkCanvases(page) {
   for (const canvas of await page.locator("canvas:visible").all()) {
     const label = await canvas.getAttribute("aria-label");
-    await until(async () => (await colours(page, await canvas.screenshot())) > 1, `canvas "${label}" is blank`);
+    await until(async () => !(await isBlank(page, await canvas.screenshot())), `canvas "${label}" shows something`);
   }
 }
 
@@ -117,6 +144,18 @@ async function checkAccessibility(page) {
   assert.equal(texts.join("\n"), "");
 }
 
+/** The checks of one lesson, if there are any. */
+async function checkContent(page, id) {
+  const file = join(tests, "lessons", `${id}.mjs`);
+  if (!existsSync(file)) return;
+  const folder = mkdtempSync(join(tmpdir(), "hemitex-"));
+  try {
+    await (await import(file)).default(page, toolsOf(page, id, folder));
+  } finally {
+    rmSync(folder, {recursive: true});
+  }
+}
+
 async function checkLesson(page, id) {
   const {width, height} = page.viewportSize();
   await page.evaluate(() => delete document.querySelector("main").dataset.shown);
@@ -129,8 +168,7 @@ async function checkLesson(page, id) {
   assert.equal(alert, "");
   await checkWidth(page);
   await checkAccessibility(page);
-  const own = join(tests, "lessons", `${id}.mjs`);
-  if (width === windows[0].viewport.width && existsSync(own)) await (await import(own)).default(page, toolsOf(page, id));
+  if (width === windows[0].viewport.width) await checkContent(page, id);
   assert.equal(page.noise.join("\n"), "");
   const content = await page.evaluate(() => document.documentElement.scrollHeight);
   console.log(`ok ${id} ${width} x ${height}: ${content} pixels high`);

@@ -1,8 +1,7 @@
 // The WebAssembly core in a browser has the bits of the command line: the item IDs of all vectors of the suite, and
 // elements.csv of a solution of the Cornell box. Both are compared by their SHA-256.
 import {createHash} from "node:crypto";
-import {mkdtempSync, readdirSync, readFileSync, rmSync} from "node:fs";
-import {tmpdir} from "node:os";
+import {readdirSync, readFileSync} from "node:fs";
 import {join} from "node:path";
 
 function hashOf(files) {
@@ -32,18 +31,13 @@ async function hashesInPage(files) {
   return {vectors: Object.fromEntries(vectors.sort()), elements: await hashOf([solution.csv()])};
 }
 
-export async function checkSameBits(page, {run, equal}) {
-  const folder = mkdtempSync(join(tmpdir(), "hemitex-"));
-  try {
-    run("vector", "suite", "-o", join(folder, "suite"));
-    run("solve", "data/cornell-box.obj", "--texels", "8", "--resolution", "128", "--no-textures", "-o", join(folder, "box"));
-    const data = new URL("../../data/", import.meta.url);
-    const files = Object.fromEntries(["cornell-box.obj", "cornell-box.mtl"].map((name) =>
-      [name, readFileSync(new URL(name, data), "utf8")]));
-    const {vectors, elements} = await page.evaluate(hashesInPage, files);
-    equal(vectors, hashesOfSuite(join(folder, "suite")), "item IDs of the suite");
-    equal(elements, hashOf([join(folder, "box", "elements.csv")]), "elements.csv");
-  } finally {
-    rmSync(folder, {recursive: true});
-  }
+export async function checkSameBits(page, {run, equal, folder}) {
+  run("vector", "suite", "-o", join(folder, "suite"));
+  run("solve", "data/cornell-box.obj", "--texels", "8", "--resolution", "128", "--no-textures", "-o", join(folder, "box"));
+  const data = new URL("../../data/", import.meta.url);
+  const files = Object.fromEntries(["cornell-box.obj", "cornell-box.mtl"].map((name) =>
+    [name, readFileSync(new URL(name, data), "utf8")]));
+  const {vectors, elements} = await page.evaluate(hashesInPage, files);
+  equal(vectors, hashesOfSuite(join(folder, "suite")), "item IDs of the suite");
+  equal(elements, hashOf([join(folder, "box", "elements.csv")]), "elements.csv");
 }

@@ -1,18 +1,11 @@
 // Errors of rows of form factors against those of hemitex formfactors with the same rays as the truth.
-import {fileURLToPath} from "node:url";
 
-const scene = fileURLToPath(new URL("../../../data/cornell-box.obj", import.meta.url));
-
-function row(run, from, ...settings) {
-  const table = run("formfactors", scene, "-q", "--texels", "8", "--from", from, ...settings);
-  const [head, ...lines] = table.trim().split("\n").map((line) => line.split(","));
-  return lines.map((line) => Number(line[head.indexOf("form_factor")]));
-}
+const common = ["--texels", "8", "--from"];
 
 /** The mean of the rays of the lesson. */
-function truthOf(run, from) {
-  const seeds = Array.from({length: 8}, (_, slice) => String(slice + 1));
-  const rows = seeds.map((seed) => row(run, from, "--method", "rays", "--samples", "262144", "--seed", seed));
+function truthOf(formFactors, from) {
+  const rays = [...common, from, "--method", "rays", "--samples", "262144", "--seed"];
+  const rows = Array.from({length: 8}, (_, slice) => formFactors(...rays, String(slice + 1)));
   return rows[0].map((_, e) => rows.reduce((sum, factors) => sum + factors[e] / rows.length, 0));
 }
 
@@ -20,7 +13,7 @@ const errorOf = (factors, truth) => factors.reduce((sum, factor, e) => sum + Mat
 const hemicube = (resolution, orientation, split) =>
   ["--resolution", resolution, "--orientation", orientation, "--split", split];
 
-export default async function check(page, {close, ok, value, until, open, address, run}) {
+export default async function check(page, {close, ok, value, until, open, address, answers, formFactors}) {
   const known = () => until(async () => (await value("truth")).startsWith("Truth"), "the rays of the truth are cast");
   const error = async () => Number((await value("error")).match(/error ([\d.]+)/)[1]);
   const cases = [
@@ -32,12 +25,12 @@ export default async function check(page, {close, ok, value, until, open, addres
   ];
   const truths = {};
   for (const [settings, from, options] of cases) {
-    truths[from] ??= truthOf(run, from);
+    truths[from] ??= truthOf(formFactors, from);
     const start = Date.now();
     await open(settings);
     await known();
     console.log(`     ${settings}: ${await value("error")}; ${Date.now() - start} ms with the truth`);
-    close(await error(), errorOf(row(run, from, ...options), truths[from]), 2e-6, settings);
+    close(await error(), errorOf(formFactors(...common, from, ...options), truths[from]), 2e-6, settings);
   }
 
   await open("source=wall-red&resolution=64&rotated=1&split=0");
@@ -55,9 +48,5 @@ export default async function check(page, {close, ok, value, until, open, addres
   await until(async () => (await value("truth")).startsWith("Trying"), "the settings are tried");
   await known();
 
-  for (const [option, verdict] of [[/Rotation is needed/, "Not yet"], [/The centres/, "Right"]]) {
-    await page.getByLabel(option).check();
-    await page.getByRole("button", {name: "Check"}).click();
-    ok((await value("verdict")).startsWith(verdict), verdict);
-  }
+  await answers([[/Rotation is needed/, "Not yet"], [/The centres/, "Right"]]);
 }

@@ -1,23 +1,17 @@
 // The lesson "Break it": the diagnosis names faults that are chosen, and hidden ones can be found. The expected item ID
 // of a pixel is that of the command line.
-import {mkdtempSync, rmSync} from "node:fs";
-import {tmpdir} from "node:os";
 import {join} from "node:path";
 
 /** The item ID of the pixel in a text such as "column 3, row 4 of front: expected 5, ..." */
-function itemId(run, vector, pixel) {
+function itemId({run, folder}, vector, pixel) {
   const [, column, row, face] = /^column (\d+), row (\d+) of (\S+):/.exec(pixel);
-  const folder = mkdtempSync(join(tmpdir(), "hemitex-"));
-  try {
-    run("vector", "suite", "-q", "-o", folder);
-    const place = `${face},${column},${row}`;
-    return JSON.parse(run("vector", "explain", join(folder, vector), "--pixel", place, "--json")).word;
-  } finally {
-    rmSync(folder, {recursive: true});
-  }
+  run("vector", "suite", "-q", "-o", folder);
+  const place = `${face},${column},${row}`;
+  return JSON.parse(run("vector", "explain", join(folder, vector), "--pixel", place, "--json")).word;
 }
 
-export default async function check(page, {ok, equal, value, until, open, address, run}) {
+export default async function check(page, tools) {
+  const {ok, equal, value, until, open, address} = tools;
   const choose = (label, option) => page.getByLabel(label, {exact: true}).selectOption(option);
   const diagnosis = async () => {
     await until(async () => (await value("diagnosis")) !== "Judging ...", "a diagnosis");
@@ -36,7 +30,7 @@ export default async function check(page, {ok, equal, value, until, open, addres
   await choose("Test vector", "layout-r8g8b8a8");
   await choose("Fault", "dithering");
   const first = await value("pixel");
-  ok(first.includes(`expected ${itemId(run, "layout-r8g8b8a8", first)}, found `), first);
+  ok(first.includes(`expected ${itemId(tools, "layout-r8g8b8a8", first)}, found `), first);
   await page.getByLabel("Found").focus();
   await page.keyboard.press("ArrowUp");
   ok((await value("pixel")) !== first, "arrow keys select pixels");

@@ -1,7 +1,5 @@
 // "Your own GPU on trial": the software GPU of Chromium has no errors, and its record agrees with the command line. A
 // broken device is named, and its case reduced.
-import {mkdtempSync, rmSync} from "node:fs";
-import {tmpdir} from "node:os";
 import {join} from "node:path";
 
 /** Judges a device. `spoil` changes functions of the browser before, in the page. */
@@ -15,7 +13,7 @@ async function judge(page, {open, until, value}, device, spoil = () => {}) {
 }
 
 /** Saves what a link downloads, and returns where. */
-async function download(page, link, folder) {
+async function download(page, {folder}, link) {
   const arrival = page.waitForEvent("download");
   await page.getByRole("link", {name: link}).click();
   const file = join(folder, (await arrival).suggestedFilename());
@@ -23,19 +21,13 @@ async function download(page, link, folder) {
   return file;
 }
 
-/** The suite of the command line. */
-function writeSuite({run}, folder) {
-  const suite = join(folder, "suite");
-  run("vector", "suite", "-o", suite);
-  return suite;
-}
-
-async function checkRightDevice(page, tools, device, suite, folder) {
+async function checkRightDevice(page, tools, device, suite) {
   const {seconds, state} = await judge(page, tools, device);
   tools.ok(/^Passed: .* 0 errors$/.test(state), `${device}: ${state}`);
   tools.ok(seconds < 30, `${device}: ${seconds} s`);
   tools.equal(await tools.value("profile sub-pixel bits"), "4", "sub-pixel bits");
-  const verified = tools.run("vector", "verify", await download(page, "Conformance record", folder), "--suite", suite);
+  const record = await download(page, tools, "Conformance record");
+  const verified = tools.run("vector", "verify", record, "--suite", suite);
   console.log(`   ${device}: ${seconds} s, ${state}; ${verified.trim()}`);
 }
 
@@ -67,16 +59,11 @@ function removeWebGPU() {
 }
 
 export default async function check(page, tools) {
-  const folder = mkdtempSync(join(tmpdir(), "hemitex-"));
-  try {
-    const suite = writeSuite(tools, folder);
-    for (const device of ["webgl2", "webgpu"]) await checkRightDevice(page, tools, device, suite, folder);
-    await checkFault(page, tools, "linear filtering", "simulated: linear filtering");
-    for (const device of ["webgl2", "webgpu"])
-      await checkFault(page, tools, "depth test off", device, spoilDepthTest);
-    const {state} = await judge(page, tools, "webgpu", removeWebGPU);
-    tools.equal(state, "Not judged: this browser has no WebGPU.", "without WebGPU");
-  } finally {
-    rmSync(folder, {recursive: true});
-  }
+  const suite = join(tools.folder, "suite");
+  tools.run("vector", "suite", "-o", suite);
+  for (const device of ["webgl2", "webgpu"]) await checkRightDevice(page, tools, device, suite);
+  await checkFault(page, tools, "linear filtering", "simulated: linear filtering");
+  for (const device of ["webgl2", "webgpu"]) await checkFault(page, tools, "depth test off", device, spoilDepthTest);
+  const {state} = await judge(page, tools, "webgpu", removeWebGPU);
+  tools.equal(state, "Not judged: this browser has no WebGPU.", "without WebGPU");
 }

@@ -1,19 +1,7 @@
 // The start: its solution is that of the command line. The address chooses the lesson, and errors are shown.
-import {mkdtempSync, rmSync} from "node:fs";
-import {tmpdir} from "node:os";
-import {join} from "node:path";
 import {checkSameBits} from "../same_bits.mjs";
 
 const settings = ["--texel-size", "35", "--resolution", "128", "--split", "1", "--orientation", "aligned", "--residual", "0.1"];
-
-function solved({run}) {
-  const folder = mkdtempSync(join(tmpdir(), "hemitex-"));
-  try {
-    return JSON.parse(run("solve", "data/cornell-box.obj", ...settings, "-o", folder, "--json"));
-  } finally {
-    rmSync(folder, {recursive: true});
-  }
-}
 
 async function checkTurning(page, {until}) {
   const canvas = page.locator(".scene-view canvas");
@@ -47,7 +35,8 @@ async function checkErrors(page, {equal, until}) {
 }
 
 export default async function check(page, tools) {
-  const {elements, shots, residual} = solved(tools);
+  const options = [...settings, "-o", tools.folder, "--json"];
+  const {elements, shots, residual} = JSON.parse(tools.run("solve", "data/cornell-box.obj", ...options));
   const text = await tools.value("solve");
   const [, found, foundShots, foundResidual] = text.match(/^(\d+) elements, (\d+) shots in .* ([\d.]+) %/);
   tools.equal([Number(found), Number(foundShots)], [elements, shots], "elements and shots");

@@ -1,24 +1,16 @@
 // Pixels and form factors by texture and by mesh against hemitex formfactors, triangles, and the measured times.
 import {readFileSync} from "node:fs";
-import {fileURLToPath} from "node:url";
 
-const scene = fileURLToPath(new URL("../../../data/cornell-box.obj", import.meta.url));
+const scene = new URL("../../../data/cornell-box.obj", import.meta.url);
 
-/** The form factors of the element in the middle of the floor, 8 x 8 elements per surface. */
-function rowBy(run, way) {
-  const table = run("formfactors", scene, "-q", "--texels", "8", "--from", "floor:4,4", "--resolution", "128",
-    "--orientation", "aligned", "--discretize", way);
-  const [head, ...lines] = table.trim().split("\n").map((line) => line.split(","));
-  return lines.map((line) => Number(line[head.indexOf("form_factor")]));
-}
-
-export default async function check(page, {close, equal, ok, value, until, open, address, run}) {
+export default async function check(page, {close, equal, ok, value, until, open, address, answers, formFactors}) {
   await open("power=3&resolution=128");
   await until(async () => (await value("differences")) !== "", "the pictures are drawn");
   const [different, all] = (await value("differences")).match(/(\d+) of (\d+) pixels/).slice(1).map(Number);
   equal(all, 3 * 128 * 128, "pixels of the five faces");
   ok(different < all / 100, `${different} pixels differ`);
-  const [texture, mesh] = ["texture", "mesh"].map((way) => rowBy(run, way));
+  const row = ["--texels", "8", "--from", "floor:4,4", "--resolution", "128", "--orientation", "aligned"];
+  const [texture, mesh] = ["texture", "mesh"].map((way) => formFactors(...row, "--discretize", way));
   const sum = texture.reduce((total, factor, e) => total + Math.abs(factor - mesh[e]), 0);
   close(Number((await value("differences")).match(/by ([\d.]+) in all/)[1]), sum, 1e-6, "difference of form factors");
 
@@ -41,9 +33,5 @@ export default async function check(page, {close, equal, ok, value, until, open,
   ok(ratio > 5, `the mesh takes ${ratio} times as long`);
   await until(async () => (await address()).includes("power=7"), "the number of elements is in the address");
 
-  for (const [answer, verdict] of [[2 * 1024 * 1024, "Not yet"], [ofScene, "Right"]]) {
-    await page.getByRole("spinbutton").fill(String(answer));
-    await page.getByRole("button", {name: "Check"}).click();
-    ok((await value("verdict")).startsWith(verdict), verdict);
-  }
+  await answers([[2 * 1024 * 1024, "Not yet"], [ofScene, "Right"]]);
 }
