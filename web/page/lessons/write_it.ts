@@ -1,8 +1,9 @@
 // A rasterizer in the page's editor, step by step, compared with the core at every change.
 import {Comparison, describeIds} from "../comparison";
-import {button, choice, columns, element, row, sourceLink, status, text, type Option} from "../controls";
+import {button, choice, columns, element, row, sourceLink, status, text, type Control, type Option} from "../controls";
+import type {Core} from "../core";
 import {showDerivation} from "../derivation";
-import type {Lesson} from "../lesson";
+import type {Lesson, State} from "../lesson";
 import {plural} from "../numbers";
 import {CodeEditor} from "../write_it/editor";
 import {judge, Tasks, type Drawn, type Judgement} from "../write_it/judge";
@@ -49,107 +50,138 @@ function describe({vectors, passed, shown}: Judgement, step: number): string {
   return `${count}Not yet: ${plural(wrong, "wrong pixel")} in ${vector.name()}. The first one is marked.`;
 }
 
-export const lesson: Lesson = {
-  id: "write",
-  title: "7. Write it",
-  show(root, {core, state}) {
-    const tasks = new Tasks(core);
-    let step = state.number("step", 1, {min: 1, max: allSteps.length, step: 1}) - 1;
-    let timer = 0;
-    let sandbox: Sandbox | undefined;
+/** Expected and found pixels of a face, and the derivation of the one that is selected. */
+class DrawnView {
+  private readonly comparison: Comparison;
+  private readonly pixel: Control<string>;
+  private readonly derivation: HTMLElement;
+  private drawn: Drawn | undefined;
 
+  constructor(parent: HTMLElement) {
+    this.comparison = new Comparison(parent, 150);
+    this.pixel = status(parent, "pixel");
+    this.derivation = element(parent, "div");
+    this.comparison.onSelect((column, line) => this.derive(column, line));
+  }
+
+  /** Selects the first wrong pixel. */
+  show(drawn: Drawn): void {
+    this.drawn = drawn;
+    const {view, expected, found} = drawn;
+    this.comparison.show({columns: view.width, rows: view.height, background: view.background, expected, found});
+    this.pixel.set("");
+    this.derivation.replaceChildren();
+    if (drawn.first < 0) return;
+    this.comparison.select(...place(drawn));
+    this.derive(...place(drawn));
+  }
+
+  private derive(column: number, line: number): void {
+    if (!this.drawn) return;
+    const {vector, face, view, expected, found} = this.drawn;
+    const [x, y, k] = [view.column + column, view.row + line, line * view.width + column];
+    this.pixel.set(`column ${x}, row ${y} of ${face}: ${describeIds(expected[k], found[k], view.background)}`);
+    showDerivation(this.derivation, vector, face, x, y);
+  }
+}
+
+class WriteLesson {
+  private readonly tasks: Tasks;
+  private readonly steps: Control<string>;
+  private readonly instruction: HTMLElement;
+  private readonly editor: CodeEditor;
+  private readonly result: Control<string>;
+  private readonly next: HTMLButtonElement;
+  private readonly drawnView: DrawnView;
+  private step: number; // from 0
+  private timer = 0;
+  private sandbox: Sandbox | undefined;
+
+  constructor(root: HTMLElement, core: Core, private readonly state: State) {
+    this.tasks = new Tasks(core);
+    this.step = state.number("step", 1, {min: 1, max: allSteps.length, step: 1}) - 1;
     text(
       root,
       "Write a rasterizer in twelve steps. Each begins with a wrong picture. At every change of the code the page " +
         "compares all pixels with the rules; the last step draws the whole suite.",
     );
-    const steps = choice(
-      root,
-      {
-        label: "Step",
-        options: allSteps.map(({title}, k): Option => [String(k), `${k + 1}. ${title}`]),
-        value: String(step),
-      },
-      (value) => goTo(Number(value)),
-    );
-    const instruction = text(root, "");
+    this.steps = this.addSteps(root);
+    this.instruction = text(root, "");
     const [left, right] = columns(root);
-    const editor = new CodeEditor(left, keptCode ?? startOf(step), startOf(step), () => {
-      keptCode = editor.code();
-      clearTimeout(timer);
-      timer = window.setTimeout(run, quietTime);
-    });
-    const buttons = row(left);
-    button(buttons, "Start code of this step", () => editor.setCode(startOf(step)));
-    button(buttons, "Show a solution", () => editor.setCode(allSteps[step].solution));
+    this.editor = this.addEditor(left);
     describeInput(left);
-
-    const result = status(right, "result");
-    const next = button(right, "Next step", () => goTo(step + 1));
-    const comparison = new Comparison(right, 150);
-    const pixel = status(right, "pixel");
-    const derivation = element(right, "div");
+    this.result = status(right, "result");
+    this.next = button(right, "Next step", () => this.goTo(this.step + 1));
+    this.drawnView = new DrawnView(right);
     text(
       root,
       "Pineda 1988, A Parallel Algorithm for Polygon Rasterization, SIGGRAPH '88. " +
         "Sutherland and Hodgman 1974, Reentrant Polygon Clipping, Communications of the ACM 17(1).",
     ).className = "source";
     sourceLink(root, "raster/plain/plain_renderer.cpp", "The same rules in C++");
+    void this.run();
+  }
 
-    let shown: Drawn | undefined;
-    comparison.onSelect((column, line) => derive(column, line));
+  end(): void {
+    clearTimeout(this.timer);
+    this.sandbox?.end();
+    this.editor.dispose();
+  }
 
-    function derive(column: number, line: number): void {
-      if (!shown) return;
-      const {vector, face, view, expected, found} = shown;
-      const [x, y, k] = [view.column + column, view.row + line, line * view.width + column];
-      pixel.set(`column ${x}, row ${y} of ${face}: ${describeIds(expected[k], found[k], view.background)}`);
-      showDerivation(derivation, vector, face, x, y);
+  private addSteps(parent: HTMLElement): Control<string> {
+    const options = allSteps.map(({title}, k): Option => [String(k), `${k + 1}. ${title}`]);
+    return choice(parent, {label: "Step", options, value: String(this.step)}, (value) => this.goTo(Number(value)));
+  }
+
+  private addEditor(parent: HTMLElement): CodeEditor {
+    const start = startOf(this.step);
+    const editor = new CodeEditor(parent, keptCode ?? start, start, () => {
+      keptCode = editor.code();
+      clearTimeout(this.timer);
+      this.timer = window.setTimeout(() => this.run(), quietTime);
+    });
+    const buttons = row(parent);
+    button(buttons, "Start code of this step", () => editor.setCode(startOf(this.step)));
+    button(buttons, "Show a solution", () => editor.setCode(allSteps[this.step].solution));
+    return editor;
+  }
+
+  private goTo(step: number): void {
+    this.step = step;
+    this.state.set("step", step + 1);
+    this.steps.set(String(step));
+    this.editor.setStart(startOf(step));
+    void this.run();
+  }
+
+  private async run(): Promise<void> {
+    const {text: html, vectors} = allSteps[this.step];
+    this.instruction.innerHTML = html;
+    this.next.hidden = true;
+    this.result.set("Judging ...");
+    this.sandbox?.end();
+    const sandbox = (this.sandbox = new Sandbox(this.editor.code()));
+    try {
+      const judgement = await judge(sandbox, this.tasks, vectors ?? this.tasks.suiteNames(), !vectors);
+      if (sandbox === this.sandbox) this.show(judgement); // else the code has changed
+    } catch (error) {
+      if (!(error instanceof CodeError)) throw error;
+      if (sandbox === this.sandbox) this.result.set((error.line ? `Line ${error.line}: ` : "") + error.message);
     }
+  }
 
-    function goTo(to: number): void {
-      step = to;
-      state.set("step", step + 1);
-      steps.set(String(step));
-      editor.setStart(startOf(step));
-      void run();
-    }
+  private show(judgement: Judgement): void {
+    this.result.set(describe(judgement, this.step));
+    this.next.hidden = judgement.shown.first >= 0 || this.step + 1 === allSteps.length;
+    this.drawnView.show(judgement.shown);
+  }
+}
 
-    function showDrawn(drawn: Drawn): void {
-      shown = drawn;
-      const {view, expected, found} = drawn;
-      comparison.show({columns: view.width, rows: view.height, background: view.background, expected, found});
-      pixel.set("");
-      derivation.replaceChildren();
-      if (drawn.first < 0) return;
-      comparison.select(...place(drawn));
-      derive(...place(drawn));
-    }
-
-    async function run(): Promise<void> {
-      const {text: html, vectors} = allSteps[step];
-      instruction.innerHTML = html;
-      next.hidden = true;
-      result.set("Judging ...");
-      sandbox?.end();
-      const own = (sandbox = new Sandbox(editor.code()));
-      try {
-        const judgement = await judge(own, tasks, vectors ?? tasks.suiteNames(), !vectors);
-        if (own !== sandbox) return; // the code has changed
-        result.set(describe(judgement, step));
-        next.hidden = judgement.shown.first >= 0 || step + 1 === allSteps.length;
-        showDrawn(judgement.shown);
-      } catch (error) {
-        if (!(error instanceof CodeError)) throw error;
-        if (own === sandbox) result.set((error.line ? `Line ${error.line}: ` : "") + error.message);
-      }
-    }
-
-    void run();
-    return () => {
-      clearTimeout(timer);
-      sandbox?.end();
-      editor.dispose();
-    };
+export const lesson: Lesson = {
+  id: "write",
+  title: "7. Write it",
+  show(root, {core, state}) {
+    const shown = new WriteLesson(root, core, state);
+    return () => shown.end();
   },
 };
