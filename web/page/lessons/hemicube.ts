@@ -1,6 +1,7 @@
 // The hemicube over an element of the Cornell box, unfolded, and the form factors that it gives.
 import {valueColour, type Rgb} from "../colours";
-import {choice, columns, element, question, row, slider, sourceLink, status, text, type Control, type Option} from "../controls";
+import {choice, columns, element, question, row, slider, sourceLink, status, text} from "../controls";
+import type {Control, Option} from "../controls";
 import type {Elements, HemicubeView, Scene} from "../core";
 import type {Lesson, State} from "../lesson";
 import {largestSize, sum} from "../numbers";

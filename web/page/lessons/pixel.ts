@@ -1,6 +1,7 @@
 // The item ID of a pixel: which triangle covers it, which texel it shows, and the sum of offset and index.
 import type {Rgb} from "../colours";
-import {checkbox, choice, columns, element, question, row, slider, sourceLink, status, text, type Control} from "../controls";
+import {checkbox, choice, columns, element, question, row, slider, sourceLink, status, text} from "../controls";
+import type {Control} from "../controls";
 import type {ChannelSum, Core, Explanation, IdLayout, Scene, Vector, VectorJson} from "../core";
 import type {Lesson, State} from "../lesson";
 import {PixelCanvas} from "../pixels";

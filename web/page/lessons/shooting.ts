@@ -1,6 +1,7 @@
 // Progressive refinement, shot by shot. After an edit of the scene the light is updated instead of computed again.
 import {litColours, valueColour} from "../colours";
-import {button, checkbox, choice, columns, element, question, row, slider, sourceLink, status, text, type Control} from "../controls";
+import {button, checkbox, choice, columns, element, question, row, slider, sourceLink, status, text} from "../controls";
+import type {Control} from "../controls";
 import type {Edit, Elements, Scene, SceneInfo, Solution, SolutionInfo, Vec3} from "../core";
 import type {Lesson, Page, State} from "../lesson";
 import {largestSize, sum} from "../numbers";
