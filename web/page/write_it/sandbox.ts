@@ -87,7 +87,7 @@ export class Sandbox {
   private timer = 0;
 
   /** @param code defines a function draw(view) */
-  constructor(code: string) {
+  constructor(private readonly code: string) {
     // The code begins in the first line of the blob: lines of messages are those of the editor.
     const script = `"use strict"; const student = (() => { ${code}\n; return draw; })();${helperCode}`;
     this.address = URL.createObjectURL(new Blob([script], {type: "text/javascript"}));
@@ -124,10 +124,22 @@ export class Sandbox {
       };
       this.worker.onerror = (event) => {
         event.preventDefault(); // the page shows the message
-        reject(this.errorOf(event.message.replace(/^Uncaught /, ""), event.lineno || null));
+        const {message, lineno} = event;
+        reject(message ? this.errorOf(message.replace(/^Uncaught /, ""), lineno || null) : this.syntaxError());
       };
       this.worker.postMessage(views);
     });
+  }
+
+  /** Firefox gives no message for a worker that does not compile. So the page compiles the code, and runs nothing. */
+  private syntaxError(): CodeError {
+    const linesBefore = 2; // that Function puts before the code
+    try {
+      new Function(this.code);
+    } catch (error) {
+      return this.errorOf(String(error), (error as {lineNumber: number}).lineNumber - linesBefore);
+    }
+    return new CodeError("The code does not compile.", null);
   }
 
   /** Errors behind the end of the code, such as a missing bracket, are shown in its last line. */
