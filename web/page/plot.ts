@@ -21,9 +21,11 @@ interface PlotOptions {
   logarithmicY?: boolean;
 }
 
+export type Point = [x: number, y: number];
+
 export interface Series {
   name: string;
-  points: [x: number, y: number][];
+  points: Point[];
   isMarked?: boolean; // its points are large, and in front
 }
 

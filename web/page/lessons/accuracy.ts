@@ -1,10 +1,11 @@
 // The error of a row of form factors against its time: resolution, rotation, subdivision, rays.
 import {okLch} from "../colours";
 import {button, checkbox, choice, columns, element, question, row, slider, sourceLink, status, text} from "../controls";
-import type {Elements, Row, RowSettings} from "../core";
-import type {Lesson, Page, Range, State} from "../lesson";
+import type {Control, Option} from "../controls";
+import type {Elements, Row, RowSettings, Scene} from "../core";
+import type {Lesson, Range, State} from "../lesson";
 import {largestSize, sum} from "../numbers";
-import {Plot, type Series} from "../plot";
+import {Plot, type Point, type Series} from "../plot";
 import {SceneView} from "../scene_view";
 
 const texels = 8;
@@ -20,6 +21,11 @@ const sources: [name: string, label: string][] = [
   ["wall-red", "The red wall"],
   ["short-block#1", "A side of the short block"],
   ["element", "One element of the back wall"],
+];
+
+const methods: readonly Option[] = [
+  ["hemicube", "Hemicubes"],
+  ["rays", "Rays"],
 ];
 
 /** Settings of a row: those of the learner, or of the sweep over all. */
@@ -166,111 +172,8 @@ function addText(parent: HTMLElement): void {
   );
 }
 
-/** The controls of a setting; `changed` is called after each change. */
-function addControls(
-  parent: HTMLElement,
-  choices: HTMLElement,
-  state: State,
-  setting: Setting,
-  changed: () => void,
-): void {
-  const methods: [string, string][] = [
-    ["hemicube", "Hemicubes"],
-    ["rays", "Rays"],
-  ];
-  choice(choices, {label: "Method", options: methods, value: setting.method}, (value) => {
-    setting.method = value === "rays" ? "rays" : "hemicube";
-    state.set("method", value);
-    showControls();
-    changed();
-  });
-  const boxes = row(parent);
-  const power = (key: "resolution" | "samples", label: string, powers: Range) => {
-    const box = element(boxes, "div", {className: "power"});
-    const show = (value: number) => String(2 ** value);
-    slider(box, {label, ...powers, value: Math.log2(setting[key]), show}, (value) => {
-      state.set(key, (setting[key] = 2 ** value));
-      changed();
-    });
-    return box;
-  };
-  const resolution = power("resolution", "Pixels along the side of the top face", resolutionPowers);
-  const samples = power("samples", "Rays", samplePowers);
-  const checkboxes = element(boxes, "div");
-  checkbox(checkboxes, {label: "Rotate hemicubes", value: setting.isRotated}, (value) => {
-    state.set("rotated", Number((setting.isRotated = value)));
-    changed();
-  });
-  checkbox(checkboxes, {label: "Subdivide patches", value: setting.isSplit}, (value) => {
-    state.set("split", Number((setting.isSplit = value)));
-    changed();
-  });
-  function showControls(): void {
-    const isRays = setting.method === "rays";
-    for (const box of [resolution, checkboxes]) box.style.display = isRays ? "none" : "";
-    samples.style.display = isRays ? "" : "none";
-  }
-  showControls();
-}
-
-/** The lines of the plot: what was tried, the error of the truth, and the setting now. */
-function seriesOf({tried, truth}: Source, now: Tried): Series[] {
-  const points = (name: string) =>
-    [...tried.values()]
-      .filter(({setting}) => nameOf(setting) === name)
-      .map(({milliseconds, error}) => [milliseconds, error] as [number, number])
-      .sort((a, b) => a[0] - b[0]);
-  const times = [...tried.values()].map(({milliseconds}) => milliseconds);
-  const noise = [Math.min(...times) / 2, Math.max(...times) * 2].map(
-    (time) => [time, truth!.standardError] as [number, number],
-  );
-  return [
-    ...lines.map((name) => ({name, points: points(name)})),
-    {name: "standard error of the truth", points: noise},
-    {name: "your setting", points: [[now.milliseconds, now.error] as [number, number]], isMarked: true},
-  ];
-}
-
-function show(root: HTMLElement, {cornellBox, state}: Page): () => void {
-  const scene = cornellBox();
-  const divided = scene.discretize({texels});
-  const known = new Map<string, Source>();
-  const setting = settingOf(state);
-  const names = sources.map(([name]) => name);
-  const first = state.option("source", names, "wall-red");
-  let source = sourceNamed(first);
-  let timer = 0;
-
-  const [left, right] = columns(root);
-  const label = "The Cornell box, coloured by the error of each element";
-  const view = new SceneView(left, {label, scene, elements: divided});
-  const legend = status(left, "legend");
-  const choices = row(left);
-  choice(choices, {label: "Source", options: sources, value: first}, (name) => {
-    state.set("source", name);
-    source = sourceNamed(name);
-    start();
-  });
-  addControls(left, choices, state, setting, () => {
-    if (source.truth) start();
-  });
-  addText(right);
-  const plot = new Plot(right, {
-    label: "Error of a row of form factors over its time",
-    x: "ms per row",
-    y: "error",
-    logarithmicX: true,
-    logarithmicY: true,
-  });
-  const result = status(right, "error");
-  const buttons = row(right);
-  button(buttons, "Try all settings", () => {
-    if (!source.truth) return;
-    showRow();
-    sweep(allSettings());
-  });
-  const progress = status(buttons, "truth");
-  question(right, {
+function addQuestion(parent: HTMLElement): void {
+  question(parent, {
     text: "The red wall, hemicubes without subdivision: 1024 pixels instead of 64 hardly lower the error. Why?",
     options: [
       "Rotation is needed, too: the pixels form a pattern",
@@ -280,60 +183,183 @@ function show(root: HTMLElement, {cornellBox, state}: Page): () => void {
     right: 1,
     why: "More pixels help until another error is larger. Then only more centres help.",
   });
-  sourceLink(right, "radiosity/form_factors/patch_subdivision.h", "Subdivision");
+  sourceLink(parent, "radiosity/form_factors/patch_subdivision.h", "Subdivision");
+}
 
-  function sourceNamed(name: string): Source {
-    const named = known.get(name) ?? new Source(divided, name);
-    known.set(name, named);
-    return named;
+/** The lines of the plot: what was tried, the error of the truth, and the setting now. */
+function seriesOf({tried, truth}: Source, now: Tried): Series[] {
+  const points = (name: string) =>
+    [...tried.values()]
+      .filter(({setting}) => nameOf(setting) === name)
+      .map(({milliseconds, error}): Point => [milliseconds, error])
+      .sort((a, b) => a[0] - b[0]);
+  const times = [...tried.values()].map(({milliseconds}) => milliseconds);
+  const noise = [Math.min(...times) / 2, Math.max(...times) * 2].map((time): Point => [time, truth!.standardError]);
+  return [
+    ...lines.map((name) => ({name, points: points(name)})),
+    {name: "standard error of the truth", points: noise},
+    {name: "your setting", points: [[now.milliseconds, now.error]], isMarked: true},
+  ];
+}
+
+class AccuracyLesson {
+  private readonly divided: Elements;
+  private readonly known = new Map<string, Source>();
+  private readonly setting: Setting;
+  private readonly view: SceneView;
+  private readonly legend: Control<string>;
+  private readonly ofHemicubes: HTMLElement[] = []; // controls
+  private readonly ofRays: HTMLElement[] = [];
+  private readonly plot: Plot;
+  private readonly result: Control<string>;
+  private readonly progress: Control<string>;
+  private source: Source;
+  private timer = 0;
+
+  constructor(root: HTMLElement, scene: Scene, private readonly state: State) {
+    this.divided = scene.discretize({texels});
+    this.setting = settingOf(state);
+    const first = state.option("source", sources.map(([name]) => name), "wall-red");
+    this.source = this.sourceNamed(first);
+    const [left, right] = columns(root);
+    const label = "The Cornell box, coloured by the error of each element";
+    this.view = new SceneView(left, {label, scene, elements: this.divided});
+    this.legend = status(left, "legend");
+    this.addChoices(row(left), first);
+    this.addControls(row(left));
+    this.showControls();
+    addText(right);
+    this.plot = new Plot(right, {
+      label: "Error of a row of form factors over its time",
+      x: "ms per row",
+      y: "error",
+      logarithmicX: true,
+      logarithmicY: true,
+    });
+    this.result = status(right, "error");
+    const buttons = row(right);
+    button(buttons, "Try all settings", () => this.tryAll());
+    this.progress = status(buttons, "truth");
+    addQuestion(right);
+    this.start();
   }
 
-  /** Casts the rays of the truth in time slices, if they are not known. Then shows the row. */
-  function start(): void {
-    clearTimeout(timer);
-    view.mark(source.elements);
-    progress.set(source.truth ? "Drawing ..." : "Casting the rays of the truth ...");
-    timer = window.setTimeout(() => {
-      if (source.truth) return showRow();
-      source.castSlice();
-      start();
-    }, 20);
+  end(): void {
+    clearTimeout(this.timer);
+    this.plot.dispose();
+    this.view.dispose();
   }
 
-  function showRow(): void {
-    const errors = source.errors(setting);
-    const {error, milliseconds} = source.get(setting);
-    const largest = largestSize(errors);
-    view.setColours(errorColours(errors, largest));
-    legend.set(`Orange: too much, up to ${largest.toPrecision(3)}. Blue: too little. Outlined: the source.`);
-    result.set(`error ${error.toFixed(6)} in ${milliseconds.toPrecision(3)} ms`);
-    showPlot();
+  private sourceNamed(name: string): Source {
+    const source = this.known.get(name) ?? new Source(this.divided, name);
+    this.known.set(name, source);
+    return source;
   }
 
-  function showPlot(): void {
-    plot.set(seriesOf(source, source.get(setting)));
-    const rays = truthSlices * truthSamples;
-    progress.set(`Truth: ${rays} rays, standard error ${source.truth!.standardError.toFixed(4)}.`);
-  }
-
-  function sweep(rest: Iterator<Setting>): void {
-    clearTimeout(timer);
-    const next = rest.next();
-    showPlot();
-    if (next.done) return;
-    progress.set(`Trying ${nameOf(next.value)} ...`);
-    timer = window.setTimeout(() => {
-      source.errors(next.value);
-      sweep(rest);
+  private addChoices(parent: HTMLElement, source: string): void {
+    choice(parent, {label: "Source", options: sources, value: source}, (name) => {
+      this.state.set("source", name);
+      this.source = this.sourceNamed(name);
+      this.start();
+    });
+    choice(parent, {label: "Method", options: methods, value: this.setting.method}, (value) => {
+      this.setting.method = value === "rays" ? "rays" : "hemicube";
+      this.state.set("method", value);
+      this.showControls();
+      this.changed();
     });
   }
 
-  start();
-  return () => {
-    clearTimeout(timer);
-    plot.dispose();
-    view.dispose();
-  };
+  private addControls(parent: HTMLElement): void {
+    const resolution = this.addPower(parent, "resolution", "Pixels along the side of the top face", resolutionPowers);
+    const samples = this.addPower(parent, "samples", "Rays", samplePowers);
+    const checkboxes = element(parent, "div");
+    checkbox(checkboxes, {label: "Rotate hemicubes", value: this.setting.isRotated}, (value) => {
+      this.state.set("rotated", Number((this.setting.isRotated = value)));
+      this.changed();
+    });
+    checkbox(checkboxes, {label: "Subdivide patches", value: this.setting.isSplit}, (value) => {
+      this.state.set("split", Number((this.setting.isSplit = value)));
+      this.changed();
+    });
+    this.ofHemicubes.push(resolution, checkboxes);
+    this.ofRays.push(samples);
+  }
+
+  /** A slider over powers of two. */
+  private addPower(parent: HTMLElement, key: "resolution" | "samples", label: string, powers: Range): HTMLElement {
+    const box = element(parent, "div", {className: "power"});
+    const show = (value: number) => String(2 ** value);
+    slider(box, {label, ...powers, value: Math.log2(this.setting[key]), show}, (value) => {
+      this.state.set(key, (this.setting[key] = 2 ** value));
+      this.changed();
+    });
+    return box;
+  }
+
+  private showControls(): void {
+    const isRays = this.setting.method === "rays";
+    for (const box of this.ofHemicubes) box.style.display = isRays ? "none" : "";
+    for (const box of this.ofRays) box.style.display = isRays ? "" : "none";
+  }
+
+  private changed(): void {
+    if (this.source.truth) this.start();
+  }
+
+  /** Casts the rays of the truth in time slices, if they are not known. Then shows the row. */
+  private start(): void {
+    const {source} = this;
+    clearTimeout(this.timer);
+    this.view.mark(source.elements);
+    this.progress.set(source.truth ? "Drawing ..." : "Casting the rays of the truth ...");
+    this.timer = window.setTimeout(() => {
+      if (source.truth) return this.showRow();
+      source.castSlice();
+      this.start();
+    }, 20);
+  }
+
+  private showRow(): void {
+    const errors = this.source.errors(this.setting);
+    const {error, milliseconds} = this.source.get(this.setting);
+    const largest = largestSize(errors);
+    this.view.setColours(errorColours(errors, largest));
+    this.legend.set(`Orange: too much, up to ${largest.toPrecision(3)}. Blue: too little. Outlined: the source.`);
+    this.result.set(`error ${error.toFixed(6)} in ${milliseconds.toPrecision(3)} ms`);
+    this.showPlot();
+  }
+
+  private showPlot(): void {
+    this.plot.set(seriesOf(this.source, this.source.get(this.setting)));
+    const rays = truthSlices * truthSamples;
+    this.progress.set(`Truth: ${rays} rays, standard error ${this.source.truth!.standardError.toFixed(4)}.`);
+  }
+
+  private tryAll(): void {
+    if (!this.source.truth) return;
+    this.showRow();
+    this.sweep(allSettings());
+  }
+
+  private sweep(rest: Iterator<Setting>): void {
+    clearTimeout(this.timer);
+    const next = rest.next();
+    this.showPlot();
+    if (next.done) return;
+    this.progress.set(`Trying ${nameOf(next.value)} ...`);
+    this.timer = window.setTimeout(() => {
+      this.source.errors(next.value);
+      this.sweep(rest);
+    });
+  }
 }
 
-export const lesson: Lesson = {id: "accuracy", title: "5. What accuracy costs", show};
+export const lesson: Lesson = {
+  id: "accuracy",
+  title: "5. What accuracy costs",
+  show(root, {cornellBox, state}) {
+    const shown = new AccuracyLesson(root, cornellBox(), state);
+    return () => shown.end();
+  },
+};

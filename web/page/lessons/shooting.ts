@@ -5,7 +5,7 @@ import type {Control} from "../controls";
 import type {Edit, Elements, Scene, SceneInfo, Solution, SolutionInfo, Vec3} from "../core";
 import type {Lesson, Page, State} from "../lesson";
 import {largestSize, sum} from "../numbers";
-import {Plot} from "../plot";
+import {Plot, type Point} from "../plot";
 import {SceneView} from "../scene_view";
 
 // Few patches, so that an update takes less than a fifth of a second. The faces of the blocks are small.
@@ -81,7 +81,7 @@ class Shooting {
   solution: Solution;
   info: SolutionInfo;
   shots = 0;
-  curve: [shots: number, residual: number][] = [];
+  curve: Point[] = []; // shots and residual
   private readonly scene: SceneInfo;
   private applied = unchanged;
 

@@ -1,10 +1,11 @@
 // The same elements drawn by texture and as polygons: pictures, triangles and times.
-import {button, choice, columns, element, question, row, slider, sourceLink, status, text, type Option} from "../controls";
+import {button, choice, columns, element, question, row, slider, sourceLink, status, text} from "../controls";
+import type {Control, Option} from "../controls";
 import type {Elements, HemicubeView, Scene} from "../core";
-import type {Lesson, Page} from "../lesson";
+import type {Lesson, State} from "../lesson";
 import {sum} from "../numbers";
 import {idColours, PixelCanvas} from "../pixels";
-import {Plot} from "../plot";
+import {Plot, type Point} from "../plot";
 
 const ways = ["texture", "mesh"] as const;
 type Way = (typeof ways)[number];
@@ -13,7 +14,6 @@ const largestPower = 7; // 2^7 elements along a side: a quarter of a million in 
 const powers = {min: 0, max: largestPower, step: 1};
 const resolutions = ["64", "128", "256", "512"];
 const repeats = 9;
-const differing = 0xffffff; // the ID of pixels that differ
 
 /** The scene with 2^power x 2^power elements per surface, and the element in the middle of the floor. */
 interface Divided {
@@ -70,30 +70,26 @@ class Measurement {
   }
 }
 
-/** The elements of the top face, and those of pixels that differ replaced. */
-function compare(drawn: Record<Way, HemicubeView>): {tops: Record<Way, Int32Array>; different: number; all: number} {
-  const tops = {texture: drawn.texture.faces[0].elements.slice(), mesh: drawn.mesh.faces[0].elements.slice()};
-  let different = 0;
-  let all = 0;
-  drawn.texture.faces.forEach((face, f) => {
-    const others = drawn.mesh.faces[f].elements;
-    face.elements.forEach((element, pixel) => {
-      ++all;
-      if (element === others[pixel]) return;
-      ++different;
-      if (f === 0) for (const way of ways) tops[way][pixel] = differing;
-    });
-  });
-  return {tops, different, all};
-}
-
-/** As idColours, and white where the ways differ. */
-function topColours(elements: Int32Array): Uint8ClampedArray {
+/** As idColours, and white where the other way shows another element. */
+function topColours(elements: Int32Array, others: Int32Array): Uint8ClampedArray {
   const colours = idColours(elements, -1);
   elements.forEach((element, pixel) => {
-    if (element === differing) colours.fill(255, 4 * pixel, 4 * pixel + 4);
+    if (element !== others[pixel]) colours.fill(255, 4 * pixel, 4 * pixel + 4);
   });
   return colours;
+}
+
+/** How far the hemicubes of both ways differ, in words. */
+function describeDifference(texture: HemicubeView, mesh: HemicubeView): string {
+  const all = sum(texture.faces.map(({elements}) => elements.length));
+  const different = sum(
+    texture.faces.map(({elements}, face) => {
+      const others = mesh.faces[face].elements;
+      return elements.filter((element, pixel) => element !== others[pixel]).length;
+    }),
+  );
+  const difference = sum(texture.formFactors.map((factor, e) => Math.abs(factor - mesh.formFactors[e])));
+  return `${different} of ${all} pixels differ; form factors by ${difference.toFixed(6)} in all`;
 }
 
 function addText(parent: HTMLElement): void {
@@ -105,117 +101,138 @@ function addText(parent: HTMLElement): void {
   );
 }
 
-function show(root: HTMLElement, {cornellBox, state}: Page): () => void {
-  const known = new Map<number, Divided>();
-  const divided = (power: number): Divided => {
-    const elements = known.get(power) ?? divide(cornellBox(), power);
-    known.set(power, elements);
-    return elements;
-  };
-  let power = state.number("power", 3, powers);
-  let resolution = Number(state.option("resolution", resolutions, "128"));
-  let timer = 0;
+class TextureLesson {
+  private readonly known = new Map<number, Divided>();
+  private readonly canvases: PixelCanvas[];
+  private readonly differences: Control<string>;
+  private readonly triangles: Control<string>;
+  private readonly times: Control<string>;
+  private readonly progress: Control<string>;
+  private readonly timePlot: Plot;
+  private readonly trianglePlot: Plot;
+  private readonly measurement: Measurement;
+  private power: number;
+  private resolution: number;
+  private timer = 0;
 
-  const [left, right] = columns(root);
-  const settings = row(left);
-  const size = (value: number) => `${2 ** value} x ${2 ** value}`;
-  slider(
-    settings,
-    {label: "Elements per surface", ...powers, value: power, show: size},
-    (value) => {
-      state.set("power", (power = value));
-      requestPictures();
-    },
-  );
-  const options = resolutions.map((r): Option => [r, `${r} x ${r}`]);
-  choice(settings, {label: "Pixels of the top face", options, value: String(resolution)}, (value) => {
-    state.set("resolution", (resolution = Number(value)));
-    requestPictures();
-    measurement.start(resolution);
-  });
-  const pictures = row(left);
-  const canvases = ways.map((way) => {
-    const figure = element(pictures, "figure");
-    const label = `The top face of the hemicube over the middle of the floor, by ${way}`;
-    const canvas = new PixelCanvas(figure, {label, columns: resolution, rows: resolution, size: 288});
-    element(figure, "figcaption", {textContent: `By ${way}: one colour per element`});
-    return canvas;
-  });
-  const differences = status(left, "differences");
-  text(
-    left,
-    "White: rounding moves the border of an element across the centre of the pixel. All five faces count.",
-  );
-  const triangles = status(left, "triangles");
-  const times = status(left, "times");
-  const measured = row(left);
-  button(measured, "Measure again", () => measurement.start(resolution));
-  const progress = status(measured, "measurement");
+  constructor(root: HTMLElement, private readonly scene: Scene, private readonly state: State) {
+    this.power = state.number("power", 3, powers);
+    this.resolution = Number(state.option("resolution", resolutions, "128"));
+    this.measurement = new Measurement((power) => this.divided(power), (isDone) => this.showMeasured(isDone));
+    const [left, right] = columns(root);
+    this.addSettings(row(left));
+    this.canvases = this.addPictures(row(left));
+    this.differences = status(left, "differences");
+    text(left, "White: rounding moves the border of an element across the centre of the pixel. All five faces count.");
+    this.triangles = status(left, "triangles");
+    this.times = status(left, "times");
+    const measured = row(left);
+    button(measured, "Measure again", () => this.measurement.start(this.resolution));
+    this.progress = status(measured, "measurement");
+    addText(right);
+    const axes = {x: "elements", logarithmicX: true, logarithmicY: true};
+    this.timePlot = new Plot(right, {label: "Time of a hemicube over elements", y: "ms per hemicube", ...axes});
+    this.trianglePlot = new Plot(right, {label: "Triangles over elements", y: "triangles", ...axes});
+    this.addQuestion(right);
+    this.requestPictures();
+    this.measurement.start(this.resolution);
+  }
 
-  addText(right);
-  const logarithmic = {x: "elements", logarithmicX: true, logarithmicY: true};
-  const timePlot = new Plot(right, {label: "Time of a hemicube over elements", y: "ms per hemicube", ...logarithmic});
-  const trianglePlot = new Plot(right, {label: "Triangles over elements", y: "triangles", ...logarithmic});
-  question(right, {
-    text: "256 x 256 elements per surface are about a million. How many triangles does hemitex draw with the texture?",
-    answer: () => measurement.found.texture[0].triangles,
-    tolerance: 0,
-    why: "It draws the triangles of the scene, as for one element per surface. The mesh needs about two million.",
-  });
-  sourceLink(right, "radiosity/index_maps/scene_draw_list.cpp", "Elements by texture");
-  sourceLink(right, "radiosity/index_maps/meshed_draws.cpp", "Elements as polygons");
+  end(): void {
+    clearTimeout(this.timer);
+    this.measurement.stop();
+    this.timePlot.dispose();
+    this.trianglePlot.dispose();
+  }
+
+  private divided(power: number): Divided {
+    const found = this.known.get(power) ?? divide(this.scene, power);
+    this.known.set(power, found);
+    return found;
+  }
+
+  private addSettings(parent: HTMLElement): void {
+    const show = (value: number) => `${2 ** value} x ${2 ** value}`;
+    slider(parent, {label: "Elements per surface", ...powers, value: this.power, show}, (value) => {
+      this.state.set("power", (this.power = value));
+      this.requestPictures();
+    });
+    const options = resolutions.map((r): Option => [r, `${r} x ${r}`]);
+    choice(parent, {label: "Pixels of the top face", options, value: String(this.resolution)}, (value) => {
+      this.state.set("resolution", (this.resolution = Number(value)));
+      this.requestPictures();
+      this.measurement.start(this.resolution);
+    });
+  }
+
+  private addPictures(parent: HTMLElement): PixelCanvas[] {
+    return ways.map((way) => {
+      const figure = element(parent, "figure");
+      const label = `The top face of the hemicube over the middle of the floor, by ${way}`;
+      const canvas = new PixelCanvas(figure, {label, columns: this.resolution, rows: this.resolution, size: 288});
+      element(figure, "figcaption", {textContent: `By ${way}: one colour per element`});
+      return canvas;
+    });
+  }
+
+  private addQuestion(parent: HTMLElement): void {
+    question(parent, {
+      text: "256 x 256 elements per surface are about a million. How many triangles does the texture need?",
+      answer: () => this.measurement.found.texture[0].triangles,
+      tolerance: 0,
+      why: "It draws the triangles of the scene, as for one element per surface. The mesh needs about two million.",
+    });
+    sourceLink(parent, "radiosity/index_maps/scene_draw_list.cpp", "Elements by texture");
+    sourceLink(parent, "radiosity/index_maps/meshed_draws.cpp", "Elements as polygons");
+  }
 
   /** The slider does not wait for pictures of every number that it passes. */
-  function requestPictures(): void {
-    clearTimeout(timer);
-    timer = window.setTimeout(showPictures, 20);
+  private requestPictures(): void {
+    clearTimeout(this.timer);
+    this.timer = window.setTimeout(() => this.showPictures(), 20);
   }
 
-  function showPictures(): void {
-    showTimes();
-    const {elements, middle} = divided(power);
-    const draw = (way: Way) => elements.hemicube(middle, {resolution, elements: way});
-    const drawn = {texture: draw("texture"), mesh: draw("mesh")};
-    const {tops, different, all} = compare(drawn);
-    ways.forEach((way, i) => canvases[i].show(topColours(tops[way]), resolution, resolution));
-    const byMesh = drawn.mesh.formFactors;
-    const difference = sum(drawn.texture.formFactors.map((value, e) => Math.abs(value - byMesh[e])));
-    differences.set(`${different} of ${all} pixels differ; form factors by ${difference.toFixed(6)} in all`);
+  private showPictures(): void {
+    this.showTimes();
+    const {elements, middle} = this.divided(this.power);
+    const {resolution} = this;
+    const [texture, mesh] = ways.map((way) => elements.hemicube(middle, {resolution, elements: way}));
+    const [byTexture, byMesh] = [texture, mesh].map(({faces}) => faces[0].elements);
+    this.canvases[0].show(topColours(byTexture, byMesh), resolution, resolution);
+    this.canvases[1].show(topColours(byMesh, byTexture), resolution, resolution);
+    this.differences.set(describeDifference(texture, mesh));
   }
 
-  function showTimes(): void {
-    const {count} = divided(power);
-    const [texture, mesh] = ways.map((way) => measurement.found[way].find((one) => one.count === count));
+  private showTimes(): void {
+    const {count} = this.divided(this.power);
+    const [texture, mesh] = ways.map((way) => this.measurement.found[way].find((one) => one.count === count));
     if (!texture || !mesh) return;
-    triangles.set(`${count} elements: ${texture.triangles} triangles by texture, ${mesh.triangles} by mesh`);
+    this.triangles.set(`${count} elements: ${texture.triangles} triangles by texture, ${mesh.triangles} by mesh`);
     const ratio = mesh.milliseconds / texture.milliseconds;
-    times.set(
+    this.times.set(
       `${texture.milliseconds.toPrecision(3)} ms by texture, ${mesh.milliseconds.toPrecision(3)} ms by mesh: ` +
         `${ratio.toPrecision(2)} times`,
     );
   }
 
-  function showMeasured(isDone: boolean): void {
+  private showMeasured(isDone: boolean): void {
     const series = (value: (one: Measured) => number) =>
       ways.map((way) => ({
         name: way,
-        points: measurement.found[way].map((one) => [one.count, value(one)] as [number, number]),
+        points: this.measurement.found[way].map((one): Point => [one.count, value(one)]),
       }));
-    timePlot.set(series(({milliseconds}) => milliseconds));
-    trianglePlot.set(series((one) => one.triangles));
-    progress.set(isDone ? `Median of ${repeats} hemicubes.` : "Measuring ...");
-    showTimes();
+    this.timePlot.set(series(({milliseconds}) => milliseconds));
+    this.trianglePlot.set(series((one) => one.triangles));
+    this.progress.set(isDone ? `Median of ${repeats} hemicubes.` : "Measuring ...");
+    this.showTimes();
   }
-
-  const measurement = new Measurement(divided, showMeasured);
-  requestPictures();
-  measurement.start(resolution);
-  return () => {
-    clearTimeout(timer);
-    measurement.stop();
-    timePlot.dispose();
-    trianglePlot.dispose();
-  };
 }
 
-export const lesson: Lesson = {id: "texture-and-mesh", title: "4. Texture against mesh", show};
+export const lesson: Lesson = {
+  id: "texture-and-mesh",
+  title: "4. Texture against mesh",
+  show(root, {cornellBox, state}) {
+    const shown = new TextureLesson(root, cornellBox(), state);
+    return () => shown.end();
+  },
+};
