@@ -19,22 +19,22 @@ const folder = mkdtempSync(join(tmpdir(), "hemitex-core-"));
 after(() => rmSync(folder, {recursive: true}));
 
 const run = (...words) => execFileSync(hemitex, words, {encoding: "utf8", maxBuffer: 1 << 28, stdio: "pipe"});
-const hexOfSha256 = bytes => createHash("sha256").update(bytes).digest("hex");
+const hexOfSha256 = (bytes) => createHash("sha256").update(bytes).digest("hex");
 const core = await createRequire(import.meta.url)(resolve(coreFile))({sha256: hexOfSha256});
 
-const files = Object.fromEntries(["obj", "mtl", "view.json"].map(end =>
+const files = Object.fromEntries(["obj", "mtl", "view.json"].map((end) =>
   [`cornell-box.${end}`, readFileSync(join(data, `cornell-box.${end}`), "utf8")]));
 const box = core.loadScene(files, "cornell-box.obj");
 const boxFile = join(data, "cornell-box.obj");
 
 // A file of item IDs is the little-endian numbers of a face.
-const idsIn = file => new Uint32Array(new Uint8Array(readFileSync(file)).buffer);
+const idsIn = (file) => new Uint32Array(new Uint8Array(readFileSync(file)).buffer);
 
 test("all vectors of the suite have the item IDs of the native program", () => {
   const suite = join(folder, "suite");
   run("vector", "suite", "-o", suite);
   const vectors = core.suite();
-  assert.deepEqual(vectors.map(vector => vector.name()).sort(), readdirSync(suite).sort());
+  assert.deepEqual(vectors.map((vector) => vector.name()).sort(), readdirSync(suite).sort());
   for (const vector of vectors) {
     const buffers = vector.render();
     vector.json().faces.forEach((face, k) =>
@@ -61,7 +61,7 @@ test("a solution of the Cornell box has the elements.csv of the native program",
   assert.equal(solution.csv(), readFileSync(join(native, "elements.csv"), "utf8"));
 });
 
-const factorsIn = csv => csv.trim().split("\n").slice(1).map(line => Number(line.split(",")[4]));
+const factorsIn = (csv) => csv.trim().split("\n").slice(1).map((line) => Number(line.split(",")[4]));
 
 // Hemicubes and rays compute the same bits. Closed forms call atan2 and log of the C library, which may round the last
 // of 53 bits differently, and sum about 10 terms.
@@ -73,9 +73,10 @@ for (const [name, options, settings, tolerance] of [
   test(`a row of form factors by ${name} is that of the native program`, () => {
     const native = factorsIn(run("formfactors", boxFile, "--texels", "8", "--from", "floor", ...options));
     const row = [...box.discretize({texels: 8}).row({surface: "floor"}, settings).formFactors];
-    const [some, others] = [native, row].map(factors => factors.filter(factor => factor > 0));
+    const [some, others] = [native, row].map((factors) => factors.filter((factor) => factor > 0));
     assert.equal(others.length, some.length);
-    some.forEach((factor, k) => assert.ok(Math.abs(others[k] - factor) <= tolerance * factor, `${k}: ${others[k]}, ${factor}`));
+    some.forEach((factor, k) =>
+      assert.ok(Math.abs(others[k] - factor) <= tolerance * factor, `${k}: ${others[k]}, ${factor}`));
   });
 
 test("an editable solution shoots, and its flux balances", () => {
@@ -100,8 +101,12 @@ test("wrong input is an error of JavaScript with the message of the library", ()
   assert.throws(() => box.discretize({texels: 0}), /texels/);
   const elements = box.discretize({texels: 4, editable: true});
   assert.throws(() => elements.hemicube(1e6, {}), /no element 1000000/);
-  for (const [settings, message] of [[{resolution: 15}, /even/], [{format: "x"}, /format/], [{elements: "x"}, /elements/],
-    [{blend: "replace"}, /no blend/]])
+  for (const [settings, message] of [
+    [{resolution: 15}, /even/],
+    [{format: "x"}, /format/],
+    [{elements: "x"}, /elements/],
+    [{blend: "replace"}, /no blend/],
+  ])
     assert.throws(() => elements.hemicube(0, settings), message);
   assert.throws(() => elements.row({surface: "x"}, {}), /no surface/);
   for (const [settings, message] of [[{method: "x"}, /no method/], [{method: "rays", samples: 0}, /rays/]])

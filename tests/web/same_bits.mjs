@@ -33,7 +33,8 @@ async function hashesInPage(files) {
 
 export async function checkSameBits(page, {run, equal, folder}) {
   run("vector", "suite", "-o", join(folder, "suite"));
-  run("solve", "data/cornell-box.obj", "--texels", "8", "--resolution", "128", "--no-textures", "-o", join(folder, "box"));
+  const settings = ["--texels", "8", "--resolution", "128", "--no-textures"];
+  run("solve", "data/cornell-box.obj", ...settings, "-o", join(folder, "box"));
   const data = new URL("../../data/", import.meta.url);
   const files = Object.fromEntries(["cornell-box.obj", "cornell-box.mtl"].map((name) =>
     [name, readFileSync(new URL(name, data), "utf8")]));

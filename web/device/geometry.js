@@ -5,7 +5,7 @@ const round = Math.fround;
 
 // The vertex in the view of the face, in binary32: [x, y, w, u, v].
 export function viewVertex(index, face, eye, arrays) {
-  const d = [0, 1, 2].map(k => round(arrays.positions[3 * index + k] - round(eye[k])));
+  const d = [0, 1, 2].map((k) => round(arrays.positions[3 * index + k] - round(eye[k])));
   const dot = ([a, b, c]) => round(round(round(round(a) * d[0]) + round(round(b) * d[1])) + round(round(c) * d[2]));
   const texcoord = arrays.texcoords.subarray(2 * index, 2 * index + 2);
   return [dot(face.x), dot(face.y), dot(face.w), ...texcoord];
@@ -23,8 +23,8 @@ function clip(polygon, distance) {
 
 // The triangles of a clipped triangle: in front of the near plane and inside the guard band.
 function clippedTriangles(triangle, nearDistance) {
-  const inFront = clip(triangle, vertex => vertex[2] - nearDistance);
-  const sides = [v => 8 * v[2] - v[0], v => 8 * v[2] + v[0], v => 8 * v[2] - v[1], v => 8 * v[2] + v[1]];
+  const inFront = clip(triangle, (vertex) => vertex[2] - nearDistance);
+  const sides = [(v) => 8 * v[2] - v[0], (v) => 8 * v[2] + v[0], (v) => 8 * v[2] - v[1], (v) => 8 * v[2] + v[1]];
   const polygon = sides.reduce(clip, inFront);
   return polygon.slice(2).flatMap((corner, k) => [polygon[0], polygon[k + 1], corner]);
 }
@@ -35,10 +35,10 @@ export const vertexBytes = 20;
 // The triangles of a face as vertices, and the first vertex and the number of vertices of each draw.
 export function faceTriangles(vector, face, arrays) {
   const vertices = [];
-  const runs = vector.draws.map(draw => {
+  const runs = vector.draws.map((draw) => {
     const first = vertices.length;
     for (let i = draw.first; i < draw.first + draw.count; i += 3) {
-      const corners = [0, 1, 2].map(k => viewVertex(arrays.indices[i + k], face, face.eye ?? vector.eye, arrays));
+      const corners = [0, 1, 2].map((k) => viewVertex(arrays.indices[i + k], face, face.eye ?? vector.eye, arrays));
       for (const corner of clippedTriangles(corners, round(vector.near))) vertices.push(corner);
     }
     return {first, count: vertices.length - first};
@@ -56,4 +56,4 @@ export function isMirrored({x, y, w}) {
 export const blends = ["clamped-add", "integer-add", "replace"];
 
 // Bits of four channels; 0 where there is none.
-export const channelBits = vector => [0, 1, 2, 3].map(k => vector.channels[k] ?? 0);
+export const channelBits = (vector) => [0, 1, 2, 3].map((k) => vector.channels[k] ?? 0);

@@ -79,7 +79,8 @@ function makeIndexMap(gl, ids, width, height) {
   const texture = gl.createTexture();
   gl.bindTexture(gl.TEXTURE_2D, texture);
   gl.texImage2D(gl.TEXTURE_2D, 0, gl.R32UI, width, height, 0, gl.RED_INTEGER, gl.UNSIGNED_INT, ids);
-  for (const filter of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER]) gl.texParameteri(gl.TEXTURE_2D, filter, gl.NEAREST);
+  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.NEAREST);
+  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, gl.NEAREST);
   return texture;
 }
 
@@ -108,7 +109,7 @@ function uploadTriangles(gl, vector, face, arrays) {
 
 // Draws with the uniforms of `program`; `maps` has a texture per draw, or none.
 function drawFace(gl, program, vector, face, arrays, maps) {
-  const at = name => gl.getUniformLocation(program, name);
+  const at = (name) => gl.getUniformLocation(program, name);
   const [column, row, width, height] = face.scissor;
   gl.viewport(0, 0, vector.resolution, vector.resolution);
   gl.scissor(column, row, width, height);
@@ -136,10 +137,10 @@ function drawVector(gl, program, vector, arrays) {
   gl.uniform4iv(gl.getUniformLocation(program, "channels"), channelBits(vector));
   gl.uniform1i(gl.getUniformLocation(program, "blend"), blends.indexOf(vector.blend));
   const maps = vector.draws.map(
-      draw => draw.index_map ? makeIndexMap(gl, arrays.maps[draw.index_map], draw.width, draw.height) : null);
-  const faces = vector.faces.map(face => drawFace(gl, program, vector, face, arrays, maps));
-  maps.forEach(map => gl.deleteTexture(map));
-  renderbuffers.forEach(renderbuffer => gl.deleteRenderbuffer(renderbuffer));
+      (draw) => draw.index_map ? makeIndexMap(gl, arrays.maps[draw.index_map], draw.width, draw.height) : null);
+  const faces = vector.faces.map((face) => drawFace(gl, program, vector, face, arrays, maps));
+  maps.forEach((map) => gl.deleteTexture(map));
+  renderbuffers.forEach((renderbuffer) => gl.deleteRenderbuffer(renderbuffer));
   gl.deleteFramebuffer(framebuffer);
   if (gl.getError() !== gl.NO_ERROR) throw new Error("WebGL2 reports an error");
   return faces;

@@ -1,6 +1,6 @@
 // node draw_suite.mjs SUITE ANSWERS [BROWSER [API]]: draws a suite of test vectors in headless Chromium and writes the
-// item IDs, one folder per vector. API is webgl2 or webgpu. It serves the page, its scripts and the vectors on a port of
-// this machine.
+// item IDs, one folder per vector. API is webgl2 or webgpu. It serves the page, its scripts and the vectors on a port
+// of this machine.
 import {spawn} from "node:child_process";
 import {mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync} from "node:fs";
 import {createServer} from "node:http";
@@ -71,14 +71,16 @@ function end() {
 
 server.listen(0, "127.0.0.1", () => {
   const address = `http://127.0.0.1:${server.address().port}/webgl2/page.html?api=${api}`;
-  chromium = spawn(browser, ["--headless", "--no-sandbox", "--no-first-run", "--use-angle=swiftshader",
-    "--enable-unsafe-swiftshader", "--enable-unsafe-webgpu", "--use-webgpu-adapter=swiftshader", `--user-data-dir=${profile}`, "--remote-debugging-port=0", address],
-    {stdio: "ignore"});
+  const swiftShader = ["--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--enable-unsafe-webgpu",
+    "--use-webgpu-adapter=swiftshader"];
+  const options = ["--headless", "--no-sandbox", "--no-first-run", `--user-data-dir=${profile}`,
+    "--remote-debugging-port=0"];
+  chromium = spawn(browser, [...options, ...swiftShader, address], {stdio: "ignore"});
   chromium.on("exit", () => {
     console.error("the browser ended before the suite was drawn");
     process.exit(1);
   });
-  chromium.on("error", error => {
+  chromium.on("error", (error) => {
     console.error(`${browser} cannot be started: ${error.message}`);
     process.exit(2);
   });

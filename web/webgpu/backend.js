@@ -160,11 +160,11 @@ async function readIds({buffer, bytesPerRow, width, height}) {
 
 // Images, buffers and bindings of a vector. `kept` is destroyed after the last face is read.
 function uploadScene({device, bindings}, vector, arrays) {
-  const kept = [], keep = object => (kept.push(object), object);
+  const kept = [], keep = (object) => (kept.push(object), object);
   const target = (format, usage) => keep(
       device.createTexture({size: [vector.resolution, vector.resolution], format, usage}));
   const uniforms = keep(makeBuffer(device, GPUBufferUsage.UNIFORM, drawUniforms(vector)));
-  const groups = vector.draws.map(draw => {
+  const groups = vector.draws.map((draw) => {
     const map = draw.index_map ? makeIndexMap(device, arrays.maps[draw.index_map], draw.width, draw.height) :
                                  makeIndexMap(device, new Uint32Array(1), 1, 1);
     return device.createBindGroup({
@@ -186,7 +186,7 @@ async function drawVector(gpu, vector, arrays) {
   const {device} = gpu;
   device.pushErrorScope("validation");
   const scene = uploadScene(gpu, vector, arrays), encoder = device.createCommandEncoder();
-  const copies = vector.faces.map(face => recordFace(gpu, scene, encoder, vector, face, arrays));
+  const copies = vector.faces.map((face) => recordFace(gpu, scene, encoder, vector, face, arrays));
   device.queue.submit([encoder.finish()]);
   const error = await device.popErrorScope();
   if (error) throw new Error(error.message);
@@ -196,7 +196,7 @@ async function drawVector(gpu, vector, arrays) {
 }
 
 function deviceName({vendor, architecture, device, description}) {
-  return description || [vendor, architecture, device].filter(text => text).join(" ") || "a GPU without a name";
+  return description || [vendor, architecture, device].filter((text) => text).join(" ") || "a GPU without a name";
 }
 
 // A device with the name of the GPU. `drawVector` takes and returns what that of WebGL2 does, as a promise.

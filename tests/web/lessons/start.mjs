@@ -1,7 +1,8 @@
 // The start: its solution is that of the command line. The address chooses the lesson, and errors are shown.
 import {checkSameBits} from "../same_bits.mjs";
 
-const settings = ["--texel-size", "35", "--resolution", "128", "--split", "1", "--orientation", "aligned", "--residual", "0.1"];
+const settings = ["--texel-size", "35", "--resolution", "128", "--split", "1", "--orientation", "aligned",
+  "--residual", "0.1"];
 
 async function checkTurning(page, {until}) {
   const canvas = page.locator(".scene-view canvas");
