@@ -7,19 +7,19 @@ import {runTrial} from "./trial";
 
 const intro =
   "The <em>test vectors</em> are small draw lists whose item IDs are known. The button draws all of them on your " +
-  "GPU. A pixel is <em>exact</em> if it holds the item ID of the raster rules, <em>explained</em> if a right device " +
-  "may round a corner, a texture coordinate or a depth that way, and an <em>error</em> otherwise. Nothing leaves " +
-  "this page.";
+  "GPU. A pixel is <em>exact</em> if it holds the item ID of the raster rules. It is <em>explained</em> if a right " +
+  "device may round a corner, a texture coordinate or a depth that way. Otherwise it is an <em>error</em>. Nothing " +
+  "leaves this page.";
 
 const precision =
   "Vulkan and OpenGL allow 4 sub-pixel bits; most GPUs have 8. So <em>probes</em> first measure the profile of the " +
   "device: each of their pixels depends on one property. In single precision a texture coordinate may be wrong by " +
-  "some roundings of " +
+  "some roundings. One is " +
   `<math><mi>r</mi><mo>=</mo><msup><mn>2</mn><mn>−24</mn></msup><mi>N</mi><mspace width="0.2em"/><mi>max</mi>
    <mo>|</mo><msub><mi>u</mi><mi>k</mi></msub><mo>|</mo><mi>w</mi><mo>/</mo><mi>min</mi><mspace width="0.2em"/>
    <msub><mi>w</mi><mi>k</mi></msub></math> ` +
-  "texels, for a map of N texels, corners with u<sub>k</sub> and w<sub>k</sub>, and a sample of depth w " +
-  "(docs/item-buffers.md). The verdict allows as many roundings as the probes show.";
+  "texels (docs/item-buffers.md): N is the size of the map, u<sub>k</sub> and w<sub>k</sub> belong to the corners of " +
+  "the triangle, and w to the sample. The verdict allows as many roundings as the probes show.";
 
 function addQuestion(parent: HTMLElement): void {
   question(parent, {
