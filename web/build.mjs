@@ -32,7 +32,8 @@ function licences(inputs) {
   const packages = new Set(inputs.flatMap((path) => path.match(/^.*node_modules\/(?:@[^/]+\/)?[^/]+/) ?? []));
   return [...packages].sort().map((folder) => {
     const name = readdirSync(folder).find((file) => /^licen[cs]e/i.test(file));
-    return `${folder.split("node_modules/").pop()}:\n${readFileSync(join(folder, name), "utf8").replaceAll("--", "- -")}`;
+    const text = readFileSync(join(folder, name), "utf8").replaceAll("--", "- -"); // it stands in a comment
+    return `${folder.split("node_modules/").pop()}:\n${text}`;
   }).join("\n");
 }
 

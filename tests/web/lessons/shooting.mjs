@@ -8,9 +8,9 @@ const minPictures = 5; // per second
 function solved({run, folder}, stop, edits) {
   writeFileSync(join(folder, "edits.json"), JSON.stringify({frames: [edits]}));
   // With --edits, also without any, no part of a surface counts as covered.
-  run("solve", "data/cornell-box.obj", "--texels", "16", "--surface", "short-block=8", "--surface", "tall-block=8", "--patch", "4",
-    "--resolution", "64", "--split", "0.2", ...stop,
-    "--edits", join(folder, "edits.json"), "--size", "64x48", "-q", "-o", join(folder, "lit"));
+  const elements = ["--texels", "16", "--surface", "short-block=8", "--surface", "tall-block=8", "--patch", "4"];
+  const files = ["--edits", join(folder, "edits.json"), "-o", join(folder, "lit"), "--size", "64x48", "-q"];
+  run("solve", "data/cornell-box.obj", ...elements, "--resolution", "64", "--split", "0.2", ...stop, ...files);
   const read = (path) => JSON.parse(readFileSync(join(folder, "lit", path), "utf8"));
   return {before: read("solution.json"), after: read("frame-1/solution.json")};
 }

@@ -53,7 +53,7 @@ function rowsOf(profile: Profile): Row[] {
 
 /** A table of the properties that the probes measured. */
 export function showProfile(parent: HTMLElement, profile: Profile): void {
-  const table = element(parent, "table", {className: "profile"});
+  const table = element(parent, "table");
   for (const [property, value, meaning] of rowsOf(profile)) {
     const row = element(table, "tr");
     element(row, "th", {scope: "row", textContent: property});
