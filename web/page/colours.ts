@@ -8,7 +8,7 @@ export function encodeSrgb(linear: number): number {
   return value <= 0.0031308 ? 12.92 * value : 1.055 * value ** (1 / 2.4) - 0.055;
 }
 
-/** From lightness, chroma and hue in turns of OKLab (Ottosson 2020, A perceptual color space for image processing). */
+/** From lightness, chroma, and hue in [0, 1) (Ottosson 2020, A perceptual color space for image processing). */
 export function okLch(lightness: number, chroma: number, hue: number): Rgb {
   const a = chroma * Math.cos(2 * Math.PI * hue);
   const b = chroma * Math.sin(2 * Math.PI * hue);

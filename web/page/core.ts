@@ -1,5 +1,5 @@
-// hemitex in the page: the functions of web/bindings, with types. Numbers of elements, patches and surfaces count from 0.
-// All functions throw an Error for input out of range; its message says what is wrong and what to do.
+// hemitex in the page: the functions of web/bindings, with types. Numbers of elements, patches and surfaces count from
+// 0. All functions throw an Error for input out of range; its message says what is wrong and what to do.
 import {sha256} from "@noble/hashes/sha2";
 import {bytesToHex} from "@noble/hashes/utils";
 
@@ -264,7 +264,11 @@ export interface Elements {
   /** From an element, or from the patches of a surface. */
   row(source: {element: number} | {surface: string}, settings: RowSettings): Row;
   /** Median time of drawing the hemicube over an element, and the number of triangles in the draw list. */
-  timeOfHemicube(element: number, settings: DrawingSettings, repeats: number): {milliseconds: number; triangles: number};
+  timeOfHemicube(
+    element: number,
+    settings: DrawingSettings,
+    repeats: number,
+  ): {milliseconds: number; triangles: number};
   solve(settings: SolveSettings): Solution;
 }
 
@@ -294,8 +298,8 @@ export interface Core {
 declare const startedCore: Promise<{[name: string]: unknown}> | undefined; // without WebAssembly
 
 /**
- * The WebAssembly module; throws if the browser does not run it. A script before this one starts it. Conformance records
- * need SHA-256.
+ * The WebAssembly module; throws if the browser does not run it. A script before this one starts it. Conformance
+ * records need SHA-256.
  */
 export async function startCore(): Promise<Core> {
   const functions = await startedCore?.catch(() => undefined); // the console has the reason

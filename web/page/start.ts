@@ -17,9 +17,9 @@ export const lesson: Lesson = {
     text(
       right,
       "Radiosity is the light that leaves each <em>element</em>, a small part of a matt surface. " +
-        "The scene is drawn on a <em>hemicube</em> over a patch (Cohen and Greenberg 1985): what its pixels show gets " +
-        "the light of the patch. A texture gives each pixel the number of its element (Nielsen and Christensen 2002). " +
-        "So a graphics card draws whole surfaces, not a polygon per element.",
+        "The scene is drawn on a <em>hemicube</em> over a patch (Cohen and Greenberg 1985): what its pixels show " +
+        "gets the light of the patch. A texture gives each pixel the number of its element (Nielsen and Christensen " +
+        "2002). So a graphics card draws whole surfaces, not a polygon per element.",
     );
     text(
       right,

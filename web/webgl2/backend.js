@@ -35,8 +35,8 @@ uint clampedAdd(uint a, uint b) {
   uint sum = 0u;
   int shift = 0;
   for (int k = 0; k < 4 && channels[k] > 0; ++k) {
-    uint most = ones(channels[k]), c = (a >> shift) & most, d = (b >> shift) & most;
-    sum |= (d > most - c ? most : c + d) << shift;
+    uint largest = ones(channels[k]), c = (a >> shift) & largest, d = (b >> shift) & largest;
+    sum |= (d > largest - c ? largest : c + d) << shift;
     shift += channels[k];
   }
   return sum;

@@ -4,7 +4,7 @@ import {okLch, type Rgb} from "../colours";
 /** Of what is no element. */
 export const backgroundColour: Rgb = [0.24, 0.24, 0.27];
 
-/** `hue` in turns of OKLab. */
+/** @param hue of OKLab, in [0, 1) */
 export function texelColour(hue: number, columns: number, rows: number, index: number): Rgb {
   const odd = ((index % columns) + Math.floor(index / columns)) % 2;
   return okLch(0.6 + (0.2 * index) / (columns * rows) + 0.07 * odd, 0.1, hue);

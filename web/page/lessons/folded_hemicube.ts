@@ -1,8 +1,8 @@
 // The unfolded hemicube, folded to half a cube and seen from inside.
 import {element} from "../controls";
 
-// Left and top edge, width and height of the faces in quarters of the cross, and how each side turns about the edge
-// that it shares with the top face.
+// `box`: left and top edge, width and height of a face, in quarters of the cross. Each side turns about the edge that
+// it shares with the top face.
 const faces = [
   {box: [1, 1, 2, 2], origin: "center", axis: "", sign: 0},
   {box: [0, 1, 1, 2], origin: "right", axis: "Y", sign: 1},

@@ -124,8 +124,8 @@ function indexMap(texels: number, selected: number | undefined): string {
 function offsets({pages}: IdLayout, current: number): string {
   const lines = pages.map(({offset, columns, rows}, surface) => {
     const colour = cssColour(texelColour(hues[surface], columns, rows, 0));
-    return `<tr${surface === current ? ' class="current"' : ""}><th scope="row">
-      <span class="colour-mark" style="background: ${colour}"></span>${surfaceNames[surface]}</th><td>${offset}</td></tr>`;
+    return `<tr${surface === current ? ' class="current"' : ""}><th scope="row"><span class="colour-mark"
+      style="background: ${colour}"></span>${surfaceNames[surface]}</th><td>${offset}</td></tr>`;
   });
   return `<table><thead><tr><th scope="col">surface</th><th scope="col">offset</th></tr></thead>
     <tbody>${lines.join("")}</tbody></table>`;
