@@ -4,7 +4,6 @@
 #include <emscripten.h>
 #include <emscripten/bind.h>
 
-#include <algorithm>
 #include <memory>
 #include <sstream>
 #include <utility>

@@ -16,10 +16,10 @@
 #include <string>
 #include <type_traits>
 
-/// The numbers from `first` to `last` - 1, for range-based loops.
 _LIBCPP_BEGIN_NAMESPACE_STD
 
 namespace views {
+/// The numbers from `first` to `last` - 1, for range-based loops.
 template <typename Integer>
 auto iota(Integer first, Integer last) {
   struct Iterator {
