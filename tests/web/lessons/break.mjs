@@ -64,5 +64,7 @@ export default async function check(page, tools) {
       ok(/^Not this one: with that fault, \d+ pixel/.test(await answer(other)), `device ${k + 1} is not ${other}`);
     ok((await answer(fault)).startsWith("Right."), `device ${k + 1}`);
   }
+  await page.getByRole("radio").last().check();
+  equal(await value("answer"), "", "no verdict on another choice");
   equal(await page.getByLabel("Broken device").inputValue(), "8", "device from the address");
 }

@@ -64,6 +64,10 @@ export class FindTask {
     element(row(group), "button", {type: "submit", textContent: "Check"});
     const verdict = element(group, "p", {className: "verdict", role: "status"});
     verdict.dataset.testid = "answer";
+    form.oninput = () => {
+      delete form.dataset.right;
+      verdict.replaceChildren();
+    };
     form.onsubmit = (event) => {
       event.preventDefault();
       this.answer(device, String(new FormData(form).get("fault")), verdict);
