@@ -1,4 +1,4 @@
-// Sums, and counts in words.
+// Sums, and numbers in words.
 
 export function sum(values: Iterable<number>): number {
   let total = 0;
@@ -11,6 +11,11 @@ export function largestSize(values: Iterable<number>): number {
   let largest = 0;
   for (const value of values) largest = Math.max(largest, Math.abs(value));
   return largest;
+}
+
+/** Three significant digits, also of thousands. */
+export function shortNumber(value: number): string {
+  return String(Number(value.toPrecision(3)));
 }
 
 /** "1 pixel", "2 pixels" */

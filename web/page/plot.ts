@@ -10,6 +10,7 @@ import {
   Tooltip,
 } from "chart.js";
 import {element} from "./controls";
+import {shortNumber} from "./numbers";
 
 Chart.register(Legend, LinearScale, LineElement, LogarithmicScale, PointElement, ScatterController, Tooltip);
 
@@ -31,8 +32,6 @@ export interface Series {
 
 // Okabe and Ito 2008, Color Universal Design; those with contrast on light and on dark.
 const seriesColours = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#7f7f7f", "#e69f00"];
-
-const shortNumber = (value: number) => String(Number(value.toPrecision(3)));
 
 /** On logarithmic axes only 1, 2 and 5 times a power of ten have a label. */
 const isRound = (value: number) => /^[125]e/.test(value.toExponential());

@@ -4,7 +4,7 @@ import {button, checkbox, choice, columns, element, question, row, slider, sourc
 import type {Control, Option} from "../controls";
 import type {Elements, Row, RowSettings, Scene} from "../core";
 import type {Lesson, Range, State} from "../lesson";
-import {largestSize, sum} from "../numbers";
+import {largestSize, shortNumber, sum} from "../numbers";
 import {Plot, type Point, type Series} from "../plot";
 import {SceneView} from "../scene_view";
 
@@ -326,7 +326,7 @@ class AccuracyLesson {
     const largest = largestSize(errors);
     this.view.setColours(errorColours(errors, largest));
     this.legend.set(`Orange: too much, up to ${largest.toPrecision(3)}. Blue: too little. Outlined: the source.`);
-    this.result.set(`error ${error.toFixed(6)} in ${milliseconds.toPrecision(3)} ms`);
+    this.result.set(`error ${error.toFixed(6)} in ${shortNumber(milliseconds)} ms`);
     this.showPlot();
   }
 

@@ -3,7 +3,7 @@ import {button, choice, columns, element, question, row, slider, sourceLink, sta
 import type {Control, Option} from "../controls";
 import type {Elements, HemicubeView, Scene} from "../core";
 import type {Lesson, State} from "../lesson";
-import {sum} from "../numbers";
+import {shortNumber, sum} from "../numbers";
 import {idColours, PixelCanvas} from "../pixels";
 import {Plot, type Point} from "../plot";
 
@@ -210,8 +210,8 @@ class TextureLesson {
     this.triangles.set(`${count} elements: ${texture.triangles} triangles by texture, ${mesh.triangles} by mesh`);
     const ratio = mesh.milliseconds / texture.milliseconds;
     this.times.set(
-      `${texture.milliseconds.toPrecision(3)} ms by texture, ${mesh.milliseconds.toPrecision(3)} ms by mesh: ` +
-        `${ratio.toPrecision(2)} times`,
+      `${shortNumber(texture.milliseconds)} ms by texture, ${shortNumber(mesh.milliseconds)} ms by mesh: ` +
+        `${shortNumber(ratio)} times`,
     );
   }
 
