@@ -69,7 +69,7 @@ export default async function check(page, tools) {
 
   await page.getByRole("slider", {name: "Texels"}).fill("16");
   await page.getByLabel("Format").selectOption("r8g8b8");
-  equal(await value("pixel-room"), "256 texels need k = 8 of 24 bits: 65535 surfaces fit.", "room");
+  equal(await value("pixel-room"), "Aligned offsets: 256 texels need k = 8 of 24 bits, 65535 surfaces fit.", "room");
   equal(await numbers(), new Native(run, folder, 16, "r8g8b8", "--no-align").visible, "item IDs of r8g8b8");
 
   await page.getByLabel("Item IDs of 16 x 16 pixels").press("ArrowRight");
@@ -81,6 +81,6 @@ export default async function check(page, tools) {
   await tools.answers([["260", "Not yet"], ["255", "Right"], ["2,55", "Not yet"], ["255,0", "Right"]]);
 
   await open("texels=1000&format=none&x=99");
-  equal(await value("pixel-room"), "256 texels need k = 8 of 16 bits: 255 surfaces fit.", "settings out of range");
+  equal(await value("pixel-room"), "Aligned offsets: 256 texels need k = 8 of 16 bits, 255 surfaces fit.", "out of range");
   ok((await value("pixel-id")).startsWith("Pixel (15, 3)"), "pixel out of range");
 }

@@ -291,7 +291,8 @@ class PixelLesson {
     const {format, texels} = this.settings;
     const room = this.core.maxSurfaces(format, texels ** 2);
     this.wrong.set(`${ids.filter((id, pixel) => id !== exact[pixel]).length} pixels hold a wrong item ID.`);
-    this.room.set(`${texels ** 2} texels need k = ${layout.index_bits} of ${layout.bits} bits: ${room} surfaces fit.`);
+    const need = `${texels ** 2} texels need k = ${layout.index_bits} of ${layout.bits} bits`;
+    this.room.set(`Aligned offsets: ${need}, ${room} surfaces fit.`);
     this.picture.select(this.column, this.row);
     this.explain();
   }
