@@ -2,6 +2,7 @@
 import {litColours} from "./colours";
 import {columns, element, sourceLink, status, text} from "./controls";
 import type {Lesson} from "./lesson";
+import {shortNumber} from "./numbers";
 import {SceneView} from "./scene_view";
 
 export const lesson: Lesson = {
@@ -29,7 +30,7 @@ export const lesson: Lesson = {
     const {shots, milliseconds, residual} = solution.info();
     const {elements: count} = elements.info();
     status(left, "solve").set(
-      `${count} elements, ${shots} shots in ${milliseconds.toPrecision(3)} ms; ` +
+      `${count} elements, ${shots} shots in ${shortNumber(milliseconds)} ms; ` +
         `${(100 * residual).toPrecision(2)} % of the light is unshot.`,
     );
     element(right, "p", {className: "source"}).innerHTML =
