@@ -24,13 +24,7 @@ export const verdictColours: Record<string, Rgb> = {
   error: [1, 0.25, 0.2],
 };
 
-/** "expected 266, found the background" */
-export function describeIds(expected: number, found: number, background: number): string {
-  const named = (id: number) => (id === background ? "the background" : String(id));
-  return `expected ${named(expected)}, found ${named(found)}`;
-}
-
-/** "expected 266 (texel 10 of draw 1), found 16777215 (background)" */
+/** "expected 266 (draw 0 texel 0,2), found 16777215 (background)" */
 export function describeError({expected, expected_from, found, found_from}: ErrorPixel): string {
   const from = (origin: string | null) => (origin ? ` (${origin})` : "");
   return `expected ${expected}${from(expected_from)}, found ${found}${from(found_from)}`;

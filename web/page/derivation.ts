@@ -1,5 +1,5 @@
-// The derivation of a pixel as a table (reference/conformance/verdict/explanation.h).
-import {element} from "./controls";
+// The item ID of a pixel, and its derivation as a table (reference/conformance/verdict/explanation.h).
+import {element, status, type Control} from "./controls";
 import type {Explanation, Vector} from "./core";
 
 /** Integers are exact. */
@@ -40,5 +40,43 @@ export function showDerivation(parent: HTMLElement, vector: Vector, face: string
     const line = element(table, "tr");
     element(line, "th", {scope: "row", textContent: name});
     element(line, "td", {textContent: value});
+  }
+}
+
+/** "expected 266, found the background" */
+function describeIds(expected: number, found: number, background: number): string {
+  const named = (id: number) => (id === background ? "the background" : String(id));
+  return `expected ${named(expected)}, found ${named(found)}`;
+}
+
+/** A pixel of a face; column and row count in the viewport. */
+interface ShownPixel {
+  vector: Vector;
+  face: string;
+  column: number;
+  row: number;
+  expected: number; // item IDs
+  found: number;
+}
+
+/** Says what a pixel should hold and what it holds, and derives it. */
+export class PixelText {
+  private readonly ids: Control<string>;
+  private readonly derivation: HTMLElement;
+
+  constructor(parent: HTMLElement) {
+    this.ids = status(parent, "pixel");
+    this.derivation = element(parent, "div");
+  }
+
+  show({vector, face, column, row, expected, found}: ShownPixel, verdict?: string): void {
+    const ids = describeIds(expected, found, vector.json().background);
+    this.ids.set(`column ${column}, row ${row} of ${face}: ${ids}${verdict ? ` (${verdict})` : ""}`);
+    showDerivation(this.derivation, vector, face, column, row);
+  }
+
+  clear(): void {
+    this.ids.set("");
+    this.derivation.replaceChildren();
   }
 }

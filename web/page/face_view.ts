@@ -1,8 +1,8 @@
 // The pictures of a test vector that a device draws, one face at a time.
-import {Comparison, describeIds, verdictColours} from "./comparison";
-import {choice, element, row, status, type Control, type Option} from "./controls";
+import {Comparison, verdictColours} from "./comparison";
+import {choice, element, row, type Control, type Option} from "./controls";
 import type {Core, ItemBuffers, Report, Vector} from "./core";
-import {showDerivation} from "./derivation";
+import {PixelText} from "./derivation";
 
 /** The number of pixels per face that differ. */
 export function differing(expected: ItemBuffers, found: ItemBuffers): number[] {
@@ -15,8 +15,7 @@ export class FaceView {
   private readonly faceRow: HTMLElement;
   private faceChoice: Control<string> | undefined;
   private readonly legend: HTMLElement;
-  private readonly selection: Control<string>;
-  private readonly derivation: HTMLElement;
+  private readonly pixelText: PixelText;
   private vector!: Vector;
   private expected!: ItemBuffers;
   private found!: ItemBuffers;
@@ -29,8 +28,7 @@ export class FaceView {
     this.faceRow = row(pictures);
     this.comparison = new Comparison(pictures, size);
     this.legend = element(pictures, "div");
-    this.selection = status(details, "pixel");
-    this.derivation = element(details, "div");
+    this.pixelText = new PixelText(details);
     this.comparison.onSelect((column, line) => this.explain(column, line));
   }
 
@@ -108,14 +106,13 @@ export class FaceView {
 
   private explain(column: number, line: number): void {
     this.selected = [column, line];
-    const face = this.vector.json().faces[this.face];
-    const pixel = line * face.scissor[2] + column;
+    const {name: face, scissor} = this.vector.json().faces[this.face];
+    const [firstColumn, firstRow, columns] = scissor;
+    const pixel = line * columns + column;
     const [expected, found] = [this.expected[this.face][pixel], this.found[this.face][pixel]];
-    const [x, y] = [face.scissor[0] + column, face.scissor[1] + line];
-    const ids = describeIds(expected, found, this.vector.json().background);
-    const verdict = this.verdicts ? ` (${this.core.verdicts()[this.verdicts[this.face][pixel]]})` : "";
-    this.selection.set(`column ${x}, row ${y} of ${face.name}: ${ids}${verdict}`);
-    showDerivation(this.derivation, this.vector, face.name, x, y);
+    const verdict = this.verdicts && this.core.verdicts()[this.verdicts[this.face][pixel]];
+    const place = {vector: this.vector, face, column: firstColumn + column, row: firstRow + line};
+    this.pixelText.show({...place, expected, found}, verdict);
   }
 }
 

@@ -1,8 +1,8 @@
 // A rasterizer in the page's editor, step by step, compared with the core at every change.
-import {Comparison, describeIds} from "../comparison";
+import {Comparison} from "../comparison";
 import {button, choice, columns, element, row, sourceLink, status, text, type Control, type Option} from "../controls";
 import type {Core} from "../core";
-import {showDerivation} from "../derivation";
+import {PixelText} from "../derivation";
 import type {Lesson, State} from "../lesson";
 import {plural} from "../numbers";
 import {CodeEditor} from "../write_it/editor";
@@ -53,14 +53,12 @@ function describe({vectors, passed, shown}: Judgement, step: number): string {
 /** Expected and found pixels of a face, and the derivation of the one that is selected. */
 class DrawnView {
   private readonly comparison: Comparison;
-  private readonly pixel: Control<string>;
-  private readonly derivation: HTMLElement;
+  private readonly pixelText: PixelText;
   private drawn: Drawn | undefined;
 
   constructor(parent: HTMLElement) {
     this.comparison = new Comparison(parent, 150);
-    this.pixel = status(parent, "pixel");
-    this.derivation = element(parent, "div");
+    this.pixelText = new PixelText(parent);
     this.comparison.onSelect((column, line) => this.derive(column, line));
   }
 
@@ -69,8 +67,7 @@ class DrawnView {
     this.drawn = drawn;
     const {view, expected, found} = drawn;
     this.comparison.show({columns: view.width, rows: view.height, background: view.background, expected, found});
-    this.pixel.set("");
-    this.derivation.replaceChildren();
+    this.pixelText.clear();
     if (drawn.first < 0) return;
     this.comparison.select(...place(drawn));
     this.derive(...place(drawn));
@@ -79,9 +76,9 @@ class DrawnView {
   private derive(column: number, line: number): void {
     if (!this.drawn) return;
     const {vector, face, view, expected, found} = this.drawn;
-    const [x, y, k] = [view.column + column, view.row + line, line * view.width + column];
-    this.pixel.set(`column ${x}, row ${y} of ${face}: ${describeIds(expected[k], found[k], view.background)}`);
-    showDerivation(this.derivation, vector, face, x, y);
+    const pixel = line * view.width + column;
+    const place = {vector, face, column: view.column + column, row: view.row + line};
+    this.pixelText.show({...place, expected: expected[pixel], found: found[pixel]});
   }
 }
 
