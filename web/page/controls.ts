@@ -141,12 +141,17 @@ type Question =
   | {text: string; options: string[]; right: number; why: string}
   | {text: string; answer: () => number; tolerance: number; why: string};
 
-/** A question that the page checks. `text` and `why` are trusted HTML. */
-export function question(parent: HTMLElement, asked: Question): void {
+interface Verdict {
+  isRight: boolean;
+  html: string; // trusted
+}
+
+/** A form whose answer the page checks. `addInputs` adds the inputs and returns what judges the answer. */
+export function checkedForm(parent: HTMLElement, html: string, addInputs: (group: HTMLElement) => () => Verdict): void {
   const form = element(parent, "form", {className: "question"});
   const group = element(form, "fieldset");
-  element(group, "legend", {innerHTML: asked.text});
-  const isRight = "options" in asked ? choices(group, asked.options, asked.right) : numberField(group, asked);
+  element(group, "legend", {innerHTML: html});
+  const judge = addInputs(group);
   const line = row(group);
   element(line, "button", {type: "submit", textContent: "Check"});
   const verdict = element(line, "p", {className: "verdict", role: "status"});
@@ -157,21 +162,36 @@ export function question(parent: HTMLElement, asked: Question): void {
   });
   form.addEventListener("submit", (event) => {
     event.preventDefault();
-    const right = isRight();
-    form.dataset.right = String(right);
-    verdict.innerHTML = right ? `Right. ${asked.why}` : "Not yet. Try again.";
+    const {isRight, html} = judge();
+    form.dataset.right = String(isRight);
+    verdict.innerHTML = html;
   });
 }
 
-function choices(parent: HTMLElement, options: string[], right: number): () => boolean {
+/** A question that the page checks. `text` and `why` are trusted HTML. */
+export function question(parent: HTMLElement, asked: Question): void {
+  checkedForm(parent, asked.text, (group) => {
+    const isRight = "options" in asked ? radioField(group, asked) : numberField(group, asked);
+    return () =>
+      isRight() ? {isRight: true, html: `Right. ${asked.why}`} : {isRight: false, html: "Not yet. Try again."};
+  });
+}
+
+function radioField(parent: HTMLElement, {options, right}: {options: string[]; right: number}): () => boolean {
+  const chosen = radios(parent, options);
+  return () => chosen() === options[right];
+}
+
+/** One of the options, which are trusted HTML. Returns what gives the chosen one. */
+export function radios(parent: HTMLElement, options: string[]): () => string | undefined {
   const name = `question-${nextId++}`;
-  const inputs = options.map((option, index) => {
+  const inputs = options.map((value) => {
     const line = element(parent, "label", {className: "line"});
-    const input = element(line, "input", {type: "radio", name, value: String(index), required: true});
-    element(line, "span", {innerHTML: option});
+    const input = element(line, "input", {type: "radio", name, value, required: true});
+    element(line, "span", {innerHTML: value});
     return input;
   });
-  return () => inputs[right].checked;
+  return () => inputs.find(({checked}) => checked)?.value;
 }
 
 function numberField(

@@ -40,7 +40,7 @@ export default async function check(page, tools) {
   const answer = async (fault) => {
     await page.getByRole("radio", {name: fault, exact: true}).check();
     await page.getByRole("button", {name: "Check"}).click();
-    return value("answer");
+    return value("verdict");
   };
   ok((await answer("picture mirrored")).startsWith("Not this one"), "a wrong answer");
   const right = await answer("picture upside down");
@@ -65,6 +65,6 @@ export default async function check(page, tools) {
     ok((await answer(fault)).startsWith("Right."), `device ${k + 1}`);
   }
   await page.getByRole("radio").last().check();
-  equal(await value("answer"), "", "no verdict on another choice");
+  equal(await value("verdict"), "", "no verdict on another choice");
   equal(await page.getByLabel("Broken device").inputValue(), "8", "device from the address");
 }

@@ -1,5 +1,5 @@
 // A device with a hidden fault draws test vectors, and the student names the fault.
-import {choice, element, row, type Control, type Option} from "../controls";
+import {checkedForm, choice, element, radios, row, type Control, type Option} from "../controls";
 import type {Vector} from "../core";
 import {differing} from "../face_view";
 import {drawWithFault} from "../faulty_device";
@@ -14,7 +14,7 @@ function candidates({fault, others}: HiddenDevice): string[] {
 
 export class FindTask {
   private readonly drawn: Control<string>; // the vector
-  private readonly form: HTMLFormElement;
+  private readonly form: HTMLElement;
   private number: number;
   private vector!: Vector;
 
@@ -30,7 +30,7 @@ export class FindTask {
     const names = [...vectors.keys()];
     const drawn = {label: "Test vector that it draws", options: names, value: names[0]};
     this.drawn = choice(bar, drawn, (name) => this.showVector(name));
-    this.form = element(place.text, "form", {className: "question"});
+    this.form = element(place.text, "div");
     this.showDevice();
   }
 
@@ -50,41 +50,19 @@ export class FindTask {
   }
 
   private ask(device: HiddenDevice): void {
-    const {form} = this;
-    form.replaceChildren();
-    delete form.dataset.right;
-    const group = element(form, "fieldset");
-    element(group, "legend", {textContent: "Which fault does this device have?"});
-    const list = element(group, "div", {className: "candidates"});
-    for (const name of candidates(device)) {
-      const line = element(list, "label", {className: "line"});
-      element(line, "input", {type: "radio", name: "fault", value: name, required: true});
-      line.append(` ${name}`);
-    }
-    element(row(group), "button", {type: "submit", textContent: "Check"});
-    const verdict = element(group, "p", {className: "verdict", role: "status"});
-    verdict.dataset.testid = "answer";
-    form.oninput = () => {
-      delete form.dataset.right;
-      verdict.replaceChildren();
-    };
-    form.onsubmit = (event) => {
-      event.preventDefault();
-      this.answer(device, String(new FormData(form).get("fault")), verdict);
-    };
+    this.form.replaceChildren();
+    checkedForm(this.form, "Which fault does this device have?", (group) => {
+      const fault = radios(element(group, "div", {className: "candidates"}), candidates(device));
+      return () => {
+        const isRight = fault() === device.fault;
+        return {isRight, html: isRight ? this.story(device) : this.compareGuess(device, fault()!)};
+      };
+    });
   }
 
-  private answer(device: HiddenDevice, guess: string, verdict: HTMLElement): void {
-    const isRight = guess === device.fault;
-    this.form.dataset.right = String(isRight);
-    if (!isRight) {
-      verdict.textContent = this.compareGuess(device, guess);
-      return;
-    }
-    const faults = this.task.vectors.get(device.vector)!.faults();
-    const {advice} = faults.find(({name}) => name === device.fault)!;
-    verdict.textContent = `Right. To mend it: ${advice}. ${device.story} `;
-    element(verdict, "a", {href: device.source, textContent: device.source});
+  private story({fault, vector, story, source}: HiddenDevice): string {
+    const {advice} = this.task.vectors.get(vector)!.faults().find(({name}) => name === fault)!;
+    return `Right. To mend it: ${advice}. ${story} <a href="${source}">${source}</a>`;
   }
 
   /** How far a device with the guessed fault is from this one on the vector that is shown. */
