@@ -258,6 +258,8 @@ export class SceneView {
     });
     for (const end of ["pointerup", "pointercancel"] as const)
       this.canvas.addEventListener(end, () => setPicking(null));
+    // After a reset of the GPU
+    this.canvas.addEventListener("webglcontextrestored", () => this.requestDrawing());
     this.canvas.addEventListener("keydown", (event) => {
       const action = this.keyAction(event.key);
       if (!action) return;

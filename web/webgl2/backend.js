@@ -96,7 +96,8 @@ function makeTarget(gl, resolution) {
     gl.framebufferRenderbuffer(gl.FRAMEBUFFER, attachment, gl.RENDERBUFFER, renderbuffer);
     return renderbuffer;
   });
-  if (gl.checkFramebufferStatus(gl.FRAMEBUFFER) !== gl.FRAMEBUFFER_COMPLETE) throw new Error("no integer target");
+  if (gl.checkFramebufferStatus(gl.FRAMEBUFFER) !== gl.FRAMEBUFFER_COMPLETE)
+    throw new Error(gl.isContextLost() ? "the GPU was reset" : "no integer target");
   return {framebuffer, renderbuffers};
 }
 
