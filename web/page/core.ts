@@ -303,6 +303,10 @@ declare const startedCore: Promise<{[name: string]: unknown}> | undefined; // wi
  */
 export async function startCore(): Promise<Core> {
   const functions = await startedCore?.catch(() => undefined); // the console has the reason
-  if (!functions) throw new Error("This page needs WebAssembly with SIMD, and this browser does not run it.");
+  if (!functions)
+    throw new Error(
+      "This page needs WebAssembly with SIMD and exceptions, and this browser does not run it. " +
+        "Chrome 95, Firefox 100, Safari 16.4 and later versions do.",
+    );
   return Object.assign(functions, {sha256: (bytes: Uint8Array) => bytesToHex(sha256(bytes))}) as unknown as Core;
 }

@@ -1,4 +1,5 @@
-// The start: its solution is that of the command line. The address chooses the lesson, and errors are shown.
+// The start: its solution is that of the command line. The address chooses the lesson, and errors are shown, also what
+// the browser lacks.
 import {checkSameBits} from "../same_bits.mjs";
 
 const settings = ["--texel-size", "35", "--resolution", "128", "--split", "1", "--orientation", "aligned",
@@ -25,6 +26,7 @@ async function checkAddress(page, {equal, until}) {
   await until(async () => (await title()) !== first, "the address changes the lesson");
   await page.locator('a[rel="prev"]').click();
   await until(async () => (await title()) === first, "the link goes back");
+  equal(await page.evaluate(() => document.activeElement.localName), "h2", "focus goes to the title");
 }
 
 async function checkErrors(page, {equal, until}) {
@@ -33,6 +35,15 @@ async function checkErrors(page, {equal, until}) {
   await page.getByRole("button", {name: "Close"}).click();
   equal(await page.getByRole("alert").innerText(), "", "the error is closed");
   page.noise.length = 0; // the error of this check
+}
+
+/** A browser that lacks what `remove` removes is told what the page needs. */
+async function checkWithout(page, {until}, remove, need) {
+  const other = await page.context().browser().newPage();
+  await other.addInitScript(remove);
+  await other.goto(page.url());
+  await until(async () => (await other.locator("body").innerText()).includes(need), need);
+  await other.close();
 }
 
 export default async function check(page, tools) {
@@ -46,4 +57,6 @@ export default async function check(page, tools) {
   await checkTurning(page, tools);
   await checkAddress(page, tools);
   await checkErrors(page, tools);
+  await checkWithout(page, tools, () => delete globalThis.WebAssembly, "This page needs WebAssembly");
+  await checkWithout(page, tools, () => (HTMLCanvasElement.prototype.getContext = () => null), "needs WebGL2");
 }
