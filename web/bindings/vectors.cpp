@@ -76,7 +76,9 @@ struct ReportHandle {
 };
 
 std::vector<std::shared_ptr<ReportHandle>> handlesOf(const Value& reports) {
-  return emscripten::vecFromJSArray<std::shared_ptr<ReportHandle>>(reports);
+  auto handles = emscripten::vecFromJSArray<std::shared_ptr<ReportHandle>>(reports);
+  if (std::find(handles.begin(), handles.end(), nullptr) != handles.end()) throw InputError("a report is null");
+  return handles;
 }
 
 std::shared_ptr<ReportHandle> judge(const VectorHandle& handle, const Value& found, const Value& profile) {
