@@ -97,6 +97,7 @@ class ShootingLesson {
     this.picture.draw();
     this.progress.show(this.shooting);
     this.run.textContent = this.isRunning ? "Pause" : "Run";
+    this.again.disabled = this.wanted.lamp === 0; // without a lamp there is nothing to shoot
   }
 
   /** Draws before and after a run: with the patch that shoots next. */
@@ -104,7 +105,6 @@ class ShootingLesson {
     const {shooting, state} = this;
     this.draw();
     this.picture.view.mark(this.isRunning ? [] : shooting.solution.brightest());
-    this.again.disabled = this.wanted.lamp === 0;
     if (shooting.shots !== state.number("shots", shotsAtStart)) state.set("shots", shooting.shots);
   }
 
