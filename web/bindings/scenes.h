@@ -1,4 +1,4 @@
-/// Elements that JavaScript holds, and the settings of drawings and item IDs.
+/// Scenes and elements that JavaScript holds, and the settings of drawings and item IDs.
 ///
 /// All handles of JavaScript are shared pointers: Emscripten releases what those point to when JavaScript has dropped
 /// the handle. It does not do so for objects that it holds by value.
@@ -21,6 +21,9 @@ struct ElementsHandle {
   radiosity::DiscretizationSettings settings;
   std::shared_ptr<const radiosity::Discretization> discretization;
 };
+
+/// The name of a surface, the number of its triangles, and its material.
+Json describe(const radiosity::Scene& scene, const radiosity::Surface& surface);
 
 /// The settings of an object; see DrawingSettings and IdSettings in web/page/core.ts. Throw InputError for values out
 /// of range and for unknown names.
