@@ -288,8 +288,9 @@ export interface Core {
   record(device: string, driver: string, profile: Profile, reports: Report[]): string;
   /** Formats of item IDs, narrowest first: bits per channel, least significant first. */
   formats(): {name: string; channels: number[]}[];
+  /** The number of surfaces with index maps of `texels` texels that have aligned item IDs in a format. */
   maxSurfaces(format: string, texels: number): number;
-  /** Lays out a sum per channel. */
+  /** The item ID of a textured pixel: the sum of the offset and the texel. */
   blend(format: string, operation: "clamped-add" | "integer-add", offset: number, texel: number): number;
   /** `files` by name; `main` is the OBJ file. */
   loadScene(files: Record<string, string>, main: string): Scene;
