@@ -14,6 +14,10 @@ import test, {after} from "node:test";
 import {fileURLToPath} from "node:url";
 
 const [hemitex, coreFile] = process.argv.slice(2);
+if (!coreFile) {
+  console.error("usage: node core_test.mjs HEMITEX CORE");
+  process.exit(2);
+}
 const data = fileURLToPath(new URL("../../data", import.meta.url));
 const folder = mkdtempSync(join(tmpdir(), "hemitex-core-"));
 after(() => rmSync(folder, {recursive: true}));
