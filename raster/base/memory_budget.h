@@ -1,0 +1,65 @@
+/// The budget of memory: what readers of files and other large allocations may take. They ask before they allocate, so
+/// that a small file that promises much ends with a message, and the machine keeps its memory for other programs.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <limits>
+#include <optional>
+#include <string>
+
+namespace hemitex::raster {
+
+/// The bytes that this process can still allocate without swapping: the minimum of what the system has, what the limit
+/// of its address space leaves (RLIMIT_AS), and what the control groups of version 2 above it leave. Nothing where the
+/// system says none of them. `root` is the folder that holds `proc` and `sys`.
+std::optional<std::uint64_t> freeMemory(const std::filesystem::path& root = "/");
+
+/// The part of the free memory that is never promised: stacks of threads, shared libraries that are opened later, and
+/// the many small allocations that nobody counts.
+inline constexpr std::uint64_t memoryReserve = std::uint64_t{64} << 20;
+
+/// Smaller requests are granted without a look at the system, so that small files cost no time.
+inline constexpr std::uint64_t smallRequest = std::uint64_t{16} << 20;
+
+/// The product of numbers that a file states; the largest number where it is larger.
+template <typename... Factors>
+std::uint64_t saturatedProduct(std::uint64_t first, Factors... factors) {
+  std::uint64_t product = first;
+  const auto multiply = [&product](std::uint64_t factor) {
+    if (__builtin_mul_overflow(product, factor, &product)) product = std::numeric_limits<std::uint64_t>::max();
+  };
+  (multiply(static_cast<std::uint64_t>(factors)), ...);
+  return product;
+}
+
+/// Throws InputError, which names `file` unless it is empty, unless `bytes` are free beside the reserve or the user
+/// insists. `what` is the subject of the message, in the singular, such as `the image wood.png`.
+void requireMemory(std::uint64_t bytes, const std::string& file, const std::string& what,
+                   const std::string& advice = {});
+
+/// Throws InputError for something else that is too large for an ordinary run, unless the user insists.
+void refuseSize(const std::string& file, const std::string& what, const std::string& advice = {});
+
+/// The largest request that requireMemory grants now, for libraries that get a limit: the largest number if the user
+/// insists or the system does not say.
+std::uint64_t memoryBudget();
+
+/// During its lifetime: whether the user insists, so that nothing is refused for its size; and how a user can insist,
+/// for the advice in messages, such as `use --insist to run all the same`. Front ends set it, for all threads.
+class SizePolicy {
+ public:
+  SizePolicy(bool insists, std::string howToInsist);
+  ~SizePolicy();
+  SizePolicy(const SizePolicy&) = delete;
+  SizePolicy& operator=(const SizePolicy&) = delete;
+
+ private:
+  bool insistedBefore_;
+  std::string howBefore_;
+};
+
+/// Bytes for people, such as `1.25 GB`.
+std::string memoryText(std::uint64_t bytes);
+
+}  // namespace hemitex::raster
