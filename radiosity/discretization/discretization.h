@@ -24,7 +24,6 @@
 #include <glm/glm.hpp>
 #include <map>
 #include <optional>
-#include <ranges>
 #include <string>
 #include <vector>
 
@@ -78,10 +77,23 @@ struct Grid {
   std::optional<Quadtree> quadtree = {};  ///< its leaves are the elements; without quadtree each texel is a leaf
 };
 
+/// The numbers of consecutive elements, for loops. (clang 14 cannot compile std::views::iota of g++ 12's library.)
+struct ElementNumbers {
+  struct Iterator {
+    std::uint32_t element;
+
+    std::uint32_t operator*() const { return element; }
+    Iterator& operator++() { return ++element, *this; }
+    bool operator==(const Iterator&) const = default;
+  };
+  std::uint32_t first, count;
+
+  Iterator begin() const { return {first}; }
+  Iterator end() const { return {first + count}; }
+};
+
 /// The numbers of the elements of a surface, ascending.
-inline auto elementsOf(const Grid& grid) {
-  return std::views::iota(grid.firstElement, grid.firstElement + grid.elementCount);
-}
+inline ElementNumbers elementsOf(const Grid& grid) { return {grid.firstElement, grid.elementCount}; }
 
 /// The leaf that contains a texel. An element with this own texel consists of the leaf, except for slivers.
 Leaf leafOf(const Grid& grid, std::uint32_t texel);

@@ -12,32 +12,8 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
-#include <ranges>
 #include <string>
 #include <type_traits>
-
-_LIBCPP_BEGIN_NAMESPACE_STD
-
-namespace views {
-/// The numbers from `first` to `last` - 1, for range-based loops.
-template <typename Integer>
-auto iota(Integer first, Integer last) {
-  struct Iterator {
-    Integer value;
-    Integer operator*() const { return value; }
-    Iterator& operator++() { return ++value, *this; }
-    bool operator==(const Iterator&) const = default;
-  };
-  struct Range {
-    Integer first, last;
-    Iterator begin() const { return {first}; }
-    Iterator end() const { return {last}; }
-  };
-  return Range{first, last};
-}
-}  // namespace views
-
-_LIBCPP_END_NAMESPACE_STD
 
 namespace std {
 
