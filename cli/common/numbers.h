@@ -11,14 +11,13 @@
 
 namespace hemitex::cli {
 
-/// Reads a finite number. The whole text must be the number; nothing for `nan`, `1e999`, `3 ` or `0x1`.
-std::optional<double> parseNumber(std::string_view text);
+using raster::parseNumber;
+using raster::toText;
+
 /// Reads an integer in the range of int; nothing for any other text.
 std::optional<int> parseInteger(std::string_view text);
 /// Reads `x,y,z`, exactly three finite numbers; nothing for any other text.
 std::optional<glm::dvec3> parseVector(std::string_view text);
-
-using raster::toText;
 
 /// A number with four significant digits, for people.
 std::string roundedText(double value);

@@ -6,14 +6,16 @@
 #include <cassert>
 
 #include "raster/base/parallel.h"
+#include "raster/base/printable_text.h"
 #include "raster/base/short_number.h"
 
 namespace hemitex::raster {
 namespace {
 
 /// A field of a CSV file, quoted if it contains a separator.
-std::string field(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+std::string field(const std::string& raw) {
+  const std::string text = printable(raw);
+  if (text.find_first_of(",\"") == std::string::npos) return text;
   return '"' + boost::replace_all_copy(text, "\"", "\"\"") + '"';
 }
 
@@ -37,7 +39,9 @@ std::string csvLines(const Table& table, std::size_t first, std::size_t end) {
 
 void writeCsv(std::ostream& stream, const Table& table) {
   constexpr std::size_t rowsOfBlock = 1024, blocksAtOnce = 64;
-  stream << boost::join(table.columns, ",") << '\n';
+  std::vector<std::string> columns;
+  for (const std::string& column : table.columns) columns.push_back(field(column));
+  stream << boost::join(columns, ",") << '\n';
   std::vector<std::string> blocks(blocksAtOnce);
   for (std::size_t first = 0; first < table.size; first += rowsOfBlock * blocksAtOnce) {
     parallelFor(blocksAtOnce, [&](std::size_t block) {

@@ -1,4 +1,5 @@
-/// Tables that are written as CSV, which follows RFC 4180, with a header and LF line ends. Rows are made when they are
+/// Tables that are written as CSV, which follows RFC 4180, with a header and LF line ends. Texts are printable
+/// (printable_text.h), so that each row is a line and a terminal may show it. Rows are made when they are
 /// written, so that a million rows take no memory.
 #pragma once
 

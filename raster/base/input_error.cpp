@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "raster/base/printable_text.h"
+
 namespace hemitex::raster {
 namespace {
 
@@ -10,7 +12,7 @@ std::string message(const std::string& file, int line, const std::string& what, 
   if (!file.empty()) text = file + (line > 0 ? ":" + std::to_string(line) : "") + ": ";
   text += what;
   if (!advice.empty()) text += "; " + advice;
-  return text;
+  return printable(text);
 }
 
 }  // namespace
@@ -19,9 +21,7 @@ std::string excerpt(std::string_view text, std::size_t maxBytes) {
   std::size_t length = std::min(text.size(), maxBytes);
   const auto continues = [](char byte) { return (static_cast<unsigned char>(byte) & 0xC0) == 0x80; };
   while (length > 0 && length < text.size() && continues(text[length])) --length;  // whole characters of UTF-8
-  std::string cut(text.substr(0, length));
-  for (char& byte : cut)
-    if (static_cast<unsigned char>(byte) < 0x20 || byte == 0x7F) byte = '?';
+  const std::string cut = printable(text.substr(0, length));
   return length < text.size() ? cut + "..." : cut;
 }
 

@@ -9,12 +9,13 @@
 
 namespace hemitex::raster {
 
-/// Input as messages quote it: at most `maxBytes` bytes, with `?` for control characters, and `...` where it is cut.
+/// Input as messages quote it: at most `maxBytes` bytes, printable (printable_text.h), with `...` where it is cut.
 std::string excerpt(std::string_view text, std::size_t maxBytes = 200);
 
 class InputError : public std::runtime_error {
  public:
-  /// `what` states the problem; `advice` states what to do and may be empty.
+  /// `what` states the problem; `advice` states what to do and may be empty. The text of what() is printable
+  /// (printable_text.h), in one line.
   explicit InputError(const std::string& what, const std::string& advice = {});
   /// As above, for a place in a file. `line` counts from 1; 0 means no line.
   InputError(const std::string& file, int line, const std::string& what, const std::string& advice = {});

@@ -6,10 +6,10 @@
 using namespace hemitex::raster;
 
 TEST_CASE("writeCsv quotes separators, and writes doubles with all their digits", "[table]") {
-  const std::vector<std::vector<Cell>> rows{{"a,b", std::int64_t{-7}, 0.1}, {"\"c\"\n", std::int64_t{8}, 1e-300}};
+  const std::vector<std::vector<Cell>> rows{{"a,b", std::int64_t{-7}, 0.1}, {"\"c\"\n\x1B[", std::int64_t{8}, 1e-300}};
   std::ostringstream csv;
   writeCsv(csv, {{"name", "count", "value"}, rows.size(), [&rows](std::size_t row) { return rows[row]; }});
-  CHECK(csv.str() == "name,count,value\n\"a,b\",-7,0.1\n\"\"\"c\"\"\n\",8,1e-300\n");
+  CHECK(csv.str() == "name,count,value\n\"a,b\",-7,0.1\n\"\"\"c\"\"??[\",8,1e-300\n");
 }
 
 TEST_CASE("writeCsv writes the rows of a long table in order", "[table]") {

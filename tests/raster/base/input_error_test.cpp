@@ -29,3 +29,9 @@ TEST_CASE("excerpt cuts between characters and shows control characters as quest
   CHECK(excerpt("abcde", 4) == "abcd...");
   CHECK(excerpt("abc\xC3\xA9", 4) == "abc...");
 }
+
+TEST_CASE("InputError has a printable text, but the file as it is", "[input_error]") {
+  const InputError error("a\x1B[2J.obj", 3, "names `\xC2\x9B`\n", "mend\xE2\x80\xAE");
+  CHECK(std::string(error.what()) == "a?[2J.obj:3: names `?`?; mend?");
+  CHECK(error.file() == "a\x1B[2J.obj");
+}
