@@ -1,11 +1,16 @@
 #include "raster/base/file_io.h"
 
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <fstream>
 #include <system_error>
 #include <utility>
 #include <vector>
 
 #include "raster/base/input_error.h"
+#include "raster/base/memory_budget.h"
 
 namespace hemitex::raster {
 namespace {
@@ -16,27 +21,46 @@ void removeBroken(const std::filesystem::path& file) {
   if (std::filesystem::is_regular_file(file, ignored)) std::filesystem::remove(file, ignored);
 }
 
+std::string whyUnreadable(const std::filesystem::path& file) {
+  std::error_code ignored;
+  return std::filesystem::is_other(file, ignored) ? "is a pipe or a device, not a file" : "cannot be read";
+}
+
 }  // namespace
 
+InputFile tryOpenFile(const std::filesystem::path& file) {
+  // Without O_NONBLOCK, the call would wait for a program that writes into a pipe.
+  const int descriptor = open(file.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY);
+  if (descriptor < 0) return nullptr;
+  struct stat status {};
+  InputFile opened;
+  if (fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode)) opened.reset(fdopen(descriptor, "rb"));
+  if (!opened) close(descriptor);
+  return opened;
+}
+
+InputFile openFile(const std::filesystem::path& file, const std::string& advice) {
+  if (InputFile opened = tryOpenFile(file)) return opened;
+  throw InputError(file.string(), 0, whyUnreadable(file), advice);
+}
+
 std::optional<std::string> tryReadFile(const std::filesystem::path& file) {
-  std::error_code ignored;
-  if (!std::filesystem::is_regular_file(file, ignored)) return {};
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) return {};
-  std::string text;
+  const InputFile opened = tryOpenFile(file);
+  struct stat status {};
+  if (!opened || fstat(fileno(opened.get()), &status) != 0) return {};
+  requireMemory(static_cast<std::uint64_t>(status.st_size), file.string(), "the file");
+  std::string bytes;
+  bytes.reserve(static_cast<std::size_t>(status.st_size));
   std::vector<char> block(std::size_t{1} << 16);
-  while (stream.read(block.data(), static_cast<std::streamsize>(block.size())) || stream.gcount() > 0)
-    text.append(block.data(), static_cast<std::size_t>(stream.gcount()));
-  if (stream.bad()) return {};
-  return text;
+  while (const std::size_t count = std::fread(block.data(), 1, block.size(), opened.get()))
+    bytes.append(block.data(), count);
+  if (std::ferror(opened.get())) return {};
+  return bytes;
 }
 
 std::string readFile(const std::filesystem::path& file, const std::string& advice) {
   std::optional<std::string> bytes = tryReadFile(file);
-  std::error_code ignored;
-  if (!bytes && std::filesystem::is_other(file, ignored))
-    throw InputError(file.string(), 0, "is a pipe or a device, not a file", advice);
-  if (!bytes) throw InputError(file.string(), 0, "cannot be read", advice);
+  if (!bytes) throw InputError(file.string(), 0, whyUnreadable(file), advice);
   return std::move(*bytes);
 }
 

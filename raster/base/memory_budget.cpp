@@ -7,7 +7,6 @@
 #include <fstream>
 #include <utility>
 
-#include "raster/base/input_error.h"
 #include "raster/base/short_number.h"
 
 namespace hemitex::raster {
@@ -78,6 +77,18 @@ std::uint64_t freeInGroups(const std::filesystem::path& root) {
   return least;
 }
 
+/// As requireMemory for the rest of what takes `total` bytes.
+void requireFree(std::uint64_t bytes, std::uint64_t total, const std::string& file, const std::string& what,
+                 const std::string& advice) {
+  if (bytes < smallRequest || policy().insists) return;
+  const std::optional<std::uint64_t> available = freeMemory();
+  if (!available || bytes <= difference(*available, memoryReserve)) return;
+  refuseSize(file,
+             what + " takes about " + memoryText(total) + " of memory; " +
+                 memoryText(difference(*available, memoryReserve)) + " are free",
+             advice);
+}
+
 }  // namespace
 
 std::optional<std::uint64_t> freeMemory(const std::filesystem::path& root) {
@@ -85,23 +96,24 @@ std::optional<std::uint64_t> freeMemory(const std::filesystem::path& root) {
   return least == unlimited ? std::nullopt : std::optional(least);
 }
 
-std::uint64_t memoryBudget() {
-  const auto available = policy().insists ? std::nullopt : freeMemory();
-  return available ? difference(*available, memoryReserve) : unlimited;
-}
-
 void requireMemory(std::uint64_t bytes, const std::string& file, const std::string& what, const std::string& advice) {
-  if (bytes < smallRequest) return;
-  const std::uint64_t budget = memoryBudget();
-  if (bytes <= budget) return;
-  refuseSize(file, what + " takes about " + memoryText(bytes) + " of memory; " + memoryText(budget) + " are free",
-             advice);
+  requireFree(bytes, bytes, file, what, advice);
 }
 
 void refuseSize(const std::string& file, const std::string& what, const std::string& advice) {
   const auto& [insists, how] = policy();
   if (insists) return;
-  throw InputError(file, 0, what, advice + (advice.empty() || how.empty() ? "" : ", or ") + how);
+  throw SizeError(file, 0, what, advice + (advice.empty() || how.empty() ? "" : ", or ") + how);
+}
+
+RunningRequest::RunningRequest(std::string file, std::string what) : file_(std::move(file)), what_(std::move(what)) {}
+
+void RunningRequest::add(std::uint64_t bytes) {
+  total_ = saturatedSum(total_, bytes);
+  sinceLook_ = saturatedSum(sinceLook_, bytes);
+  if (sinceLook_ < smallRequest) return;
+  requireFree(sinceLook_, total_, file_, what_, {});
+  sinceLook_ = 0;
 }
 
 SizePolicy::SizePolicy(bool insists, std::string howToInsist)

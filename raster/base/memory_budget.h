@@ -8,6 +8,8 @@
 #include <optional>
 #include <string>
 
+#include "raster/base/input_error.h"
+
 namespace hemitex::raster {
 
 /// The bytes that this process can still allocate without swapping: the minimum of what the system has, what the limit
@@ -33,20 +35,42 @@ std::uint64_t saturatedProduct(std::uint64_t first, Factors... factors) {
   return product;
 }
 
-/// Throws InputError, which names `file` unless it is empty, unless `bytes` are free beside the reserve or the user
+/// The sum of two numbers; the largest number where it is larger.
+inline std::uint64_t saturatedSum(std::uint64_t a, std::uint64_t b) {
+  std::uint64_t sum = 0;
+  return __builtin_add_overflow(a, b, &sum) ? std::numeric_limits<std::uint64_t>::max() : sum;
+}
+
+/// What is too large for an ordinary run. Readers that make do without a file pass this error on, so that a result does
+/// not depend on the free memory.
+class SizeError : public InputError {
+  using InputError::InputError;
+};
+
+/// Throws SizeError, which names `file` unless it is empty, unless `bytes` are free beside the reserve or the user
 /// insists. `what` is the subject of the message, in the singular, such as `the image wood.png`.
 void requireMemory(std::uint64_t bytes, const std::string& file, const std::string& what,
                    const std::string& advice = {});
 
-/// Throws InputError for something else that is too large for an ordinary run, unless the user insists.
+/// Throws SizeError for something else that is too large, unless the user insists.
 void refuseSize(const std::string& file, const std::string& what, const std::string& advice = {});
 
-/// The largest request that requireMemory grants now, for libraries that get a limit: the largest number if the user
-/// insists or the system does not say.
-std::uint64_t memoryBudget();
+/// Many requests of one reader, which may each be small: looks at the system once per smallRequest bytes.
+class RunningRequest {
+ public:
+  /// `what` is as for requireMemory.
+  explicit RunningRequest(std::string file, std::string what);
+
+  /// To be called before the bytes are allocated. Throws SizeError as requireMemory.
+  void add(std::uint64_t bytes);
+
+ private:
+  std::string file_, what_;
+  std::uint64_t total_ = 0, sinceLook_ = 0;
+};
 
 /// During its lifetime: whether the user insists, so that nothing is refused for its size; and how a user can insist,
-/// for the advice in messages, such as `use --insist to run all the same`. Front ends set it, for all threads.
+/// for the advice in messages, such as `add --insist to run all the same`. Front ends set it, for all threads.
 class SizePolicy {
  public:
   SizePolicy(bool insists, std::string howToInsist);

@@ -6,12 +6,10 @@
 #include <string>
 
 #include "raster/base/file_io.h"
-#include "raster/base/input_error.h"
 #include "tests/support/temporary_folder.h"
 
 using namespace hemitex;
 using Catch::Contains;
-using raster::InputError;
 
 namespace {
 
@@ -44,11 +42,13 @@ TEST_CASE("freeMemory is that of the system, or what a control group above the p
   CHECK(raster::freeMemory(folder.path) == 0);
 }
 
-TEST_CASE("saturatedProduct is the largest number where a product is larger", "[memory]") {
+TEST_CASE("saturatedProduct and saturatedSum are the largest number where the result is larger", "[memory]") {
   CHECK(raster::saturatedProduct(3, 4u, std::size_t{5}) == 60);
   CHECK(raster::saturatedProduct(largest, 2) == largest);
   CHECK(raster::saturatedProduct(std::uint64_t{1} << 40, std::uint64_t{1} << 40, 8) == largest);
   CHECK(raster::saturatedProduct(largest, 2, 0) == 0);
+  CHECK(raster::saturatedSum(largest - 1, 1) == largest);
+  CHECK(raster::saturatedSum(largest, 7) == largest);
 }
 
 TEST_CASE("requireMemory names the file, what takes the memory, and how much", "[memory]") {
@@ -56,7 +56,14 @@ TEST_CASE("requireMemory names the file, what takes the memory, and how much", "
   CHECK_NOTHROW(raster::requireMemory(raster::smallRequest, "a.ply", "the mesh"));
   CHECK_THROWS_WITH(raster::requireMemory(largest / 4, "a.ply", "the mesh", "divide it"),
                     Contains("a.ply: the mesh takes about 4.61e+09 GB of memory; ") && Contains(" free; divide it"));
-  CHECK_THROWS_AS(raster::requireMemory(largest, "", "the mesh"), InputError);
+  CHECK_THROWS_AS(raster::requireMemory(largest, "", "the mesh"), raster::SizeError);
+}
+
+TEST_CASE("RunningRequest refuses a sum of requests that are each granted", "[memory]") {
+  raster::RunningRequest request("a.obj", "the set of its images");
+  request.add(raster::smallRequest - 1);
+  request.add(raster::smallRequest);
+  CHECK_THROWS_WITH(request.add(largest), Contains("a.obj: the set of its images takes about 1.84e+10 GB of memory; "));
 }
 
 TEST_CASE("refuseSize and requireMemory refuse nothing while a SizePolicy insists", "[memory]") {
@@ -69,7 +76,6 @@ TEST_CASE("refuseSize and requireMemory refuse nothing while a SizePolicy insist
       const raster::SizePolicy inner(true, "");
       CHECK_NOTHROW(raster::refuseSize("", "it is large"));
       CHECK_NOTHROW(raster::requireMemory(largest, "", "it"));
-      CHECK(raster::memoryBudget() == largest);
     }
     CHECK_THROWS_WITH(raster::refuseSize("", "it is large"), "it is large; insist");
   }
