@@ -60,9 +60,9 @@ void writeFiles(const nlohmann::ordered_json& result, Staging& staging) {
 void bench(const BenchOptions& options, Context& context) {
   Console& console = context.console;
   std::optional<Staging> staging;
-  if (!options.output.empty()) staging.emplace(options.output);
-  if (staging)
-    staging->requirePlaces({"bench.json", "tables.md", "report.html"}, {options.scenes.begin(), options.scenes.end()});
+  if (!options.output.empty())
+    staging.emplace(Output{.place = options.output, .writer = "bench", .inputs = context.inputs()});
+  if (staging) staging->requirePlaces({"bench.json", "tables.md", "report.html"});
   const std::vector<reference::BenchScene> scenes = scenesOf(options);
   const reference::BenchSettings settings = settingsOf(options, context);
   std::vector<reference::BenchRun> runs;
@@ -88,15 +88,11 @@ void addBench(Command program, Context& context) {
   const Command command = program.addCommand("bench",
                                              "Measure the speed of hemicubes compared with meshing, Embree and OpenGL "
                                              "(takes minutes; default: on one thread)");
-  const auto readScenes = [options](const std::vector<std::string>& texts) {
-    options->scenes.assign(texts.begin(), texts.end());
-  };
-  command.addTexts("SCENE", "PATH",
-                   "measure these scene files (default: the room of the paper, the Cornell box and the gallery)",
-                   readScenes);
+  command.addPaths("SCENE", options->scenes,
+                   "measure these scene files (default: the room of the paper, the Cornell box and the gallery)");
   addResolutions(command, options->resolutions);
-  command.addPath("-o,--output", options->output,
-                  "write report.html, bench.json and tables.md into this folder (default: no files)");
+  command.addOutputFolder("-o,--output", options->output,
+                          "write report.html, bench.json and tables.md into this folder (default: no files)");
   command.addExamples({"data/cornell-box.obj --resolution 256", "-o bench"});
   command.onRead([options, &context] { context.command = [options, &context] { bench(*options, context); }; });
 }

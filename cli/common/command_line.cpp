@@ -6,9 +6,30 @@
 #include "cli/help/command_tree.h"
 
 namespace hemitex::cli {
+namespace {
+
+/// Throws a usage error for an empty value, which is no number, name or path. As a path it would count as not given.
+void refuseEmpty(const std::string& option, const std::string& value) {
+  if (value.empty()) usageError(option, "the value is empty");
+}
+
+}  // namespace
 
 void usageError(const std::string& option, const std::string& problem) {
   throw CLI::ValidationError(option, shortened(problem, 300));
+}
+
+std::set<std::filesystem::path> givenInputs(const PathOptions& paths) {
+  std::set<std::filesystem::path> inputs;
+  for (const CLI::Option* option : paths.read) inputs.insert(option->results().begin(), option->results().end());
+  return inputs;
+}
+
+std::string writtenText(const PathOptions& paths) {
+  std::string text;
+  for (const auto& [command, option, isFolder] : paths.written)
+    text += command + '\t' + option->get_name(false, true) + '\t' + (isFolder ? "folder" : "file") + '\n';
+  return text;
 }
 
 Option Option::required() const { return Option(*option_->required()); }
@@ -17,17 +38,31 @@ Option Option::excludes(Option other) const { return Option(*option_->excludes(o
 Option Option::needs(Option other) const { return Option(*option_->needs(other.option_)); }
 
 Command Command::addCommand(const std::string& name, const std::string& help) const {
-  return Command(*app_->add_subcommand(name, help));
+  return Command(*app_->add_subcommand(name, help), *paths_);
+}
+
+Command Command::under(const std::string& topic) const {
+  Command command = *this;
+  command.topic_ = topic;
+  return command;
 }
 
 Option Command::addText(const std::string& name, const std::string& type, const std::string& help,
                         const std::function<void(const std::string&)>& read) const {
-  return inTopic(*app_->add_option_function<std::string>(name, read, help)->type_name(type));
+  const auto readFull = [name, read](const std::string& text) {
+    refuseEmpty(name, text);
+    read(text);
+  };
+  return inTopic(*app_->add_option_function<std::string>(name, readFull, help)->type_name(type));
 }
 
 Option Command::addTexts(const std::string& name, const std::string& type, const std::string& help,
                          const std::function<void(const std::vector<std::string>&)>& read) const {
-  CLI::Option* const option = app_->add_option_function<std::vector<std::string>>(name, read, help);
+  const auto readFull = [name, read](const std::vector<std::string>& texts) {
+    for (const std::string& text : texts) refuseEmpty(name, text);
+    read(texts);
+  };
+  CLI::Option* const option = app_->add_option_function<std::vector<std::string>>(name, readFull, help);
   // Each use of an option takes one value, so that a positional argument may follow.
   if (name.starts_with('-')) option->allow_extra_args(false);
   return inTopic(*option->type_name(type));
@@ -38,9 +73,43 @@ Option Command::addText(const std::string& name, const std::string& type, const 
   return addText(name, type, help, [&target](const std::string& text) { target = text; });
 }
 
+CLI::Option& Command::pathOption(const std::string& name, const std::string& type, const std::string& help,
+                                 const std::function<void(const std::string&)>& read) const {
+  addText(name, type, help, read);
+  return *app_->get_option(name.substr(name.rfind(',') + 1));
+}
+
+Option Command::addPath(const std::string& name, const std::string& type, const std::string& help,
+                        const std::function<void(const std::string&)>& read) const {
+  paths_->read.push_back(&pathOption(name, type, help, read));
+  return Option(*paths_->read.back());
+}
+
 Option Command::addPath(const std::string& name, std::filesystem::path& target, const std::string& help,
                         const std::string& type) const {
-  return addText(name, type, help, [&target](const std::string& text) { target = text; });
+  return addPath(name, type, help, [&target](const std::string& text) { target = text; });
+}
+
+Option Command::addPaths(const std::string& name, std::vector<std::filesystem::path>& targets,
+                         const std::string& help) const {
+  const Option option = addTexts(name, "PATH", help, [&targets](const std::vector<std::string>& texts) {
+    targets.assign(texts.begin(), texts.end());
+  });
+  paths_->read.push_back(app_->get_option(name));
+  return option;
+}
+
+Option Command::addOutputFile(const std::string& name, std::filesystem::path& target, const std::string& help,
+                              const std::string& type) const {
+  CLI::Option& option = pathOption(name, type, help, [&target](const std::string& text) { target = text; });
+  paths_->written.push_back({fullNameOf(*app_), &option, false});
+  return Option(option);
+}
+
+Option Command::addOutputFolder(const std::string& name, std::filesystem::path& target, const std::string& help) const {
+  CLI::Option& option = pathOption(name, "PATH", help, [&target](const std::string& text) { target = text; });
+  paths_->written.push_back({fullNameOf(*app_), &option, true});
+  return Option(option);
 }
 
 Option Command::addFlag(const std::string& name, const std::string& help, const std::function<void()>& action) const {

@@ -4,8 +4,8 @@
 
 #include <filesystem>
 #include <functional>
+#include <set>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace CLI {
@@ -17,6 +17,23 @@ namespace hemitex::cli {
 
 /// Reports a wrong value or combination of options; the program exits with code 2. Throws CLI::ValidationError.
 [[noreturn]] void usageError(const std::string& option, const std::string& problem);
+
+/// The options of all commands that are paths: those that are read, and those that are written. Every path is one of
+/// them, so that no result can replace an input of its run, and tests find each option that writes.
+struct PathOptions {
+  struct Written {
+    std::string command;
+    CLI::Option* option;
+    bool isFolder;
+  };
+  std::vector<CLI::Option*> read;
+  std::vector<Written> written;
+};
+
+/// The values of the options that are read, of those that were given.
+std::set<std::filesystem::path> givenInputs(const PathOptions& paths);
+/// A line for each option that is written: the command, the names of the option, and `file` or `folder`.
+std::string writtenText(const PathOptions& paths);
 
 /// A handle to an option of a command.
 class Option {
@@ -38,12 +55,12 @@ class Option {
 /// A handle to the program or to one of its commands.
 class Command {
  public:
-  explicit Command(CLI::App& app) : app_(&app) {}
+  Command(CLI::App& app, PathOptions& paths) : app_(&app), paths_(&paths) {}
 
   Command addCommand(const std::string& name, const std::string& help) const;
 
   /// The same command; options that are added through the result belong to this topic of the help text.
-  Command under(const std::string& topic) const { return Command(*app_, topic); }
+  Command under(const std::string& topic) const;
 
   /// Adds an option with a value; `type` names the value in the help text. `read` gets the value and calls usageError
   /// if it is wrong. A name without a dash declares a positional argument.
@@ -53,8 +70,18 @@ class Command {
   Option addTexts(const std::string& name, const std::string& type, const std::string& help,
                   const std::function<void(const std::vector<std::string>&)>& read) const;
   Option addText(const std::string& name, const std::string& type, const std::string& help, std::string& target) const;
+  /// Adds an option for a file or folder that the command reads.
   Option addPath(const std::string& name, std::filesystem::path& target, const std::string& help,
                  const std::string& type = "PATH") const;
+  /// As above; `read` gets the path.
+  Option addPath(const std::string& name, const std::string& type, const std::string& help,
+                 const std::function<void(const std::string&)>& read) const;
+  /// As addTexts, of files that the command reads.
+  Option addPaths(const std::string& name, std::vector<std::filesystem::path>& targets, const std::string& help) const;
+  /// Adds an option for a file or a folder that the command writes.
+  Option addOutputFile(const std::string& name, std::filesystem::path& target, const std::string& help,
+                       const std::string& type = "PATH") const;
+  Option addOutputFolder(const std::string& name, std::filesystem::path& target, const std::string& help) const;
   /// Adds an option without a value; if it is given, `action` is called.
   Option addFlag(const std::string& name, const std::string& help, const std::function<void()>& action) const;
   Option addFlag(const std::string& name, bool& target, const std::string& help) const;
@@ -74,10 +101,12 @@ class Command {
   void onRead(const std::function<void()>& action) const;
 
  private:
-  Command(CLI::App& app, std::string topic) : app_(&app), topic_(std::move(topic)) {}
   Option inTopic(CLI::Option& option) const;
+  CLI::Option& pathOption(const std::string& name, const std::string& type, const std::string& help,
+                          const std::function<void(const std::string&)>& read) const;
 
   CLI::App* app_;
+  PathOptions* paths_;
   std::string topic_;  ///< empty: no topic
 };
 

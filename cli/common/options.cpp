@@ -6,6 +6,12 @@
 
 namespace hemitex::cli {
 
+std::set<std::filesystem::path> Context::inputs(const std::vector<std::filesystem::path>& others) const {
+  std::set<std::filesystem::path> inputs = givenInputs(paths);
+  inputs.insert(others.begin(), others.end());
+  return inputs;
+}
+
 int integerOption(const std::string& name, const std::string& text, int low, int high) {
   const std::optional<int> value = parseInteger(text);
   if (value && *value >= low && *value <= high) return *value;
@@ -40,7 +46,7 @@ Option addSeed(Command command, std::uint32_t& seed) {
 }
 
 Option addOutput(Command command, std::filesystem::path& output, const std::string& help) {
-  return command.addPath("-o,--output", output, help).required();
+  return command.addOutputFolder("-o,--output", output, help).required();
 }
 
 }  // namespace hemitex::cli

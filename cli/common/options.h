@@ -21,14 +21,18 @@ namespace hemitex::cli {
 struct Context {
   Console console;
   bool json = false;
-  int threads = 0;  ///< 0: all cores
+  int threads = 0;       ///< 0: all cores
+  bool insists = false;  ///< run whatever the size (see raster/base/memory_budget.h)
   std::function<void()> command;
+  PathOptions paths;
   /// Whether the ranks of a parallel run share the work of the command. Otherwise rank 0 does it alone.
   bool isShared = false;
   std::unique_ptr<radiosity::Messenger> ranks;  ///< while a shared command runs with several ranks; otherwise null
 
   /// Whether this process writes the results: alone or as rank 0.
   bool isWriter() const { return !ranks || ranks->rank() == 0; }
+  /// The files that the command line names as inputs, and those that they led to.
+  std::set<std::filesystem::path> inputs(const std::vector<std::filesystem::path>& others = {}) const;
   bool failed = false;  ///< set by a command if its comparison or verification failed
 };
 

@@ -7,17 +7,22 @@
 #include <boost/algorithm/string.hpp>
 #include <csignal>
 #include <cstdlib>
+#include <exception>
 #include <iostream>
 #include <new>
 #include <optional>
 #include <sstream>
+#include <string_view>
+#include <system_error>
 
 #include "cli/common/interruption.h"
 #include "cli/common/launched_rank.h"
+#include "cli/common/staging.h"
 #include "cli/help/command_tree.h"
 #include "cli/help/completion.h"
 #include "cli/help/shell_files.h"
 #include "raster/base/input_error.h"
+#include "raster/base/memory_budget.h"
 #include "raster/base/parallel.h"
 
 namespace hemitex::cli {
@@ -54,6 +59,23 @@ std::string missingArguments(const CLI::App& app) {
   return boost::join(names, " and ") + (names.size() > 1 ? " are missing" : " is missing");
 }
 
+/// CLI11 would take the next argument as the value of `--option=`.
+void refuseEmptyValues(const std::vector<std::string>& arguments) {
+  for (const std::string& argument : arguments)
+    if (argument.starts_with("--") && argument.find('=') == argument.size() - 1)
+      usageError(argument.substr(0, argument.size() - 1), "the value is empty");
+}
+
+/// CLI11 says `--option: At Most 1 required but received 2` and `--option: 1 required N missing`.
+std::string problemOf(const CLI::ParseError& error) {
+  const std::string text = error.what();
+  if (!dynamic_cast<const CLI::ArgumentMismatch*>(&error)) return text;
+  return text.substr(0, text.find(':')) + (text.ends_with("missing") ? " needs a value" : " is given more than once");
+}
+
+/// Whether usageError() threw the error.
+bool isWrongValue(const CLI::ParseError& error) { return dynamic_cast<const CLI::ValidationError*>(&error) != nullptr; }
+
 /// share/hemitex beside the folder of the program; it may not exist.
 std::filesystem::path folderBesideProgram() {
   std::error_code isUnknown;  // without /proc
@@ -76,9 +98,32 @@ void addGlobalOptions(CLI::App& app, const Program& program, Context& context) {
   CLI::Option* quiet = app.add_flag_callback("-q,--quiet", setVerbosity(Verbosity::Quiet), "print errors only");
   app.add_flag_callback("-v,--verbose", setVerbosity(Verbosity::Verbose), "print details of the run")->excludes(quiet);
   app.add_flag("--json", context.json, "print one JSON object instead of text");
-  addInteger(Command(app), "--threads", context.threads, 0, maxThreads,
+  addInteger(Command(app, context.paths), "--threads", context.threads, 0, maxThreads,
              "maximum number of threads; 0 means all cores (default 0)");
+  app.add_flag("--insist", context.insists,
+               "run with more than 2^24 elements, or with more memory than is free (default: refuse, with the number)");
   app.set_version_flag("--version", program.name + " " HEMITEX_VERSION);
+}
+
+/// Libraries that cannot start a thread say so in ways of their own.
+bool isLackOfMemory(const std::exception& error) {
+  const auto* const ofSystem = dynamic_cast<const std::system_error*>(&error);
+  return dynamic_cast<const std::bad_alloc*>(&error) != nullptr ||
+         (ofSystem != nullptr && ofSystem->code() == std::errc::resource_unavailable_try_again) ||
+         std::string_view(error.what()).starts_with("pthread_create");
+}
+
+/// Ends the program where an exception cannot be caught, such as std::bad_alloc in a thread of a library.
+[[noreturn]] void endUncaught() {
+  removeTemporaryFolders();
+  try {
+    std::rethrow_exception(std::current_exception());
+  } catch (const std::exception& error) {
+    std::cerr << "hemitex: error: " << (isLackOfMemory(error) ? "out of memory" : error.what()) << std::endl;
+  } catch (...) {
+    std::cerr << "hemitex: error: internal error" << std::endl;
+  }
+  std::_Exit(ourFault);
 }
 
 int run(const Program& program, int argc, char** argv, Context& context) {
@@ -90,18 +135,24 @@ int run(const Program& program, int argc, char** argv, Context& context) {
   app.formatter(helpFormatter({}));
   app.set_help_all_flag("--help-all", "Print this help message with all options and exit");
   app.footer(
-      "The options -q, -v, --json, --threads N, --help, --help-all and --version work before and after every command.");
+      "The options -q, -v, --json, --threads N, --insist, --help, --help-all and --version work before and after every "
+      "command.");
   addGlobalOptions(app, program, context);
+  const Command all(app, context.paths);
   std::filesystem::path shellFiles;
-  Command(app)
-      .addPath("--shell-files", shellFiles, "write completion scripts and manual pages into this folder")
+  all.addOutputFolder("--shell-files", shellFiles, "write completion scripts and manual pages into this folder")
       .hidden();
-  program.addCommands(Command(app), context);
+  program.addCommands(all, context);
+  if (argc == 2 && argv[1] == std::string("--written-options")) {  // for tests of all that writes
+    std::cout << writtenText(context.paths);
+    return 0;
+  }
   if (argc > 1 && argv[1] == std::string("--complete")) {  // an incomplete command line
     std::cout << completionsFor(commandTree(app), {argv + 2, argv + argc});
     return 0;
   }
   try {
+    refuseEmptyValues({argv + 1, argv + argc});
     app.parse(argc, argv);
   } catch (const CLI::Success& helpOrVersion) {
     std::ostringstream text;
@@ -112,24 +163,27 @@ int run(const Program& program, int argc, char** argv, Context& context) {
   } catch (const CLI::ParseError& error) {
     // An unknown argument often is the reason of other errors, such as a missing option.
     const std::vector<std::string> unknown = app.remaining(true);
-    std::string problem = error.what();
+    std::string problem = problemOf(error);
     if (!unknown.empty())
       problem = unknownArgument(commandTree(app), {argv + 1, argv + argc}, unknown.front());
-    else if (const std::string missing = missingArguments(app); !missing.empty())
+    else if (const std::string missing = missingArguments(app); !missing.empty() && !isWrongValue(error))
       problem = missing;
-    context.console.error(problem + '\n' + adviceOf(program));
+    context.console.error(problem, adviceOf(program));
     return badInput;
   }
   if (isHelper && !context.isShared) return 0;
   if (!shellFiles.empty()) {
-    writeShellFiles(shellFiles, commandTree(app), HEMITEX_VERSION);
+    Staging staging({.place = shellFiles, .writer = "shell-files"});
+    writeShellFiles(staging.folder(), commandTree(app), HEMITEX_VERSION);
+    staging.commit();
     return 0;
   }
   if (!context.command) {
-    context.console.error("no command is given\n" + adviceOf(program));
+    context.console.error("no command is given", adviceOf(program));
     return badInput;
   }
   const raster::ThreadLimit limit(context.threads);
+  const raster::SizePolicy policy(context.insists, "add --insist to run all the same");
   if (launched && context.isShared) {
     context.ranks = program.joinRanks();
     requireSameRanks(*context.ranks, *launched);
@@ -153,6 +207,8 @@ int failed(Context& context, int exitCode, const std::string& text) {
 
 }  // namespace
 
+std::string programVersion() { return HEMITEX_VERSION; }
+
 void requireOutput(const std::string& state) {
   if (std::cout.flush()) return;
   if (isClosedPipe(STDOUT_FILENO)) throw ClosedPipe();
@@ -171,9 +227,11 @@ int runProgram(const Program& program, int argc, char** argv) {
   std::signal(SIGABRT, [](int) { std::_Exit(ourFault); });  // raised by a failed assertion
   // Writing then fails with an error, which is reported, and temporary folders are removed.
   for (const int failure : {SIGPIPE, SIGXFSZ}) std::signal(failure, SIG_IGN);
-  watchSignals();
+  std::set_terminate(endUncaught);
+  const PrintableStream output(std::cout);
   Context context;
   try {
+    watchSignals();
     return run(program, argc, argv, context);
   } catch (const ClosedPipe&) {
     if (context.ranks) context.ranks->abort(closedPipe);
@@ -184,9 +242,8 @@ int runProgram(const Program& program, int argc, char** argv) {
     return failed(context, badInput, error.what());
   } catch (const radiosity::RankError& error) {
     return failed(context, error.exitCode, error.what());
-  } catch (const std::bad_alloc&) {
-    return failed(context, ourFault, "out of memory; " + program.memoryAdvice);
   } catch (const std::exception& error) {
+    if (isLackOfMemory(error)) return failed(context, ourFault, "out of memory; " + program.memoryAdvice);
     return failed(context, ourFault,
                   "internal error of " + program.name + "; please report it with the command line: " + error.what());
   }

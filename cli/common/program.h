@@ -20,6 +20,9 @@ struct Program {
   std::function<std::unique_ptr<radiosity::Messenger>()> joinRanks = {};
 };
 
+/// The version of hemitex, such as `0.1.0`.
+std::string programVersion();
+
 /// Writes what stdout still holds. Throws InputError if that fails; `state` continues its message and may say which
 /// files are complete. If the reader of a pipe has closed it, the program ends without a message.
 void requireOutput(const std::string& state = {});

@@ -5,16 +5,20 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <mutex>
 #include <optional>
-#include <vector>
+#include <system_error>
 
+#include "raster/base/file_io.h"
 #include "raster/base/input_error.h"
+#include "reference/base/hashes/sha256.h"
 
 namespace hemitex::cli {
 namespace {
 
 namespace fs = std::filesystem;
+using raster::InputError;
 
 /// The temporary folders of this program. A signal may end it at any time, and it leaves none behind.
 struct OpenFolders {
@@ -28,68 +32,86 @@ OpenFolders& openFolders() {
   return open;
 }
 
-/// Opens and locks a folder, which is created if it does not exist. Nothing if another run has locked it.
-std::optional<int> lockedFolder(const fs::path& folder) {
+const std::string prefix = ".hemitex.partial-";
+
+/// The temporary folder of a result: of a folder one, of files one per file. Long names have short hashes.
+std::string temporaryName(const std::string& file) {
+  return prefix + (file.empty() ? "0" : reference::sha256(file).substr(0, 16));
+}
+
+/// Opens and locks a folder in another one. Not open if another run has locked it. Throws InputError if what has the
+/// name is no folder.
+Descriptor lockedFolder(const Folder& outer, const std::string& name) {
   for (;;) {
-    fs::create_directory(folder);
-    const int file = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    if (file < 0 && errno == ENOENT) continue;  // removed by the run that had it
-    if (file < 0) throw fs::filesystem_error("cannot be opened", folder, {errno, std::generic_category()});
-    if (flock(file, LOCK_EX | LOCK_NB) != 0) {
-      close(file);
-      return std::nullopt;
-    }
+    if (mkdirat(outer.descriptor(), name.c_str(), 0777) != 0 && errno != EEXIST)
+      throw InputError(outer.path().string(), 0,
+                       "is not a folder that can be written: " + std::generic_category().message(errno),
+                       "choose another folder");
+    Descriptor folder = outer.open(name, O_RDONLY | O_DIRECTORY);
+    if (!folder.isOpen() && errno == ENOENT) continue;  // removed by the run that had it
+    if (!folder.isOpen())
+      throw InputError((outer.path() / name).string(), 0, "is in the way of the temporary files of this run",
+                       "remove it, or choose another folder");
+    if (flock(folder.get(), LOCK_EX | LOCK_NB) != 0) return Descriptor();
     // Between opening and locking, the run that had the folder may have removed it.
-    struct stat opened = {}, named = {};
-    if (fstat(file, &opened) == 0 && stat(folder.c_str(), &named) == 0 && opened.st_ino == named.st_ino) return file;
-    close(file);
+    struct stat opened = {};
+    if (fstat(folder.get(), &opened) == 0 && opened.st_ino == outer.placeOf(name).inode) return folder;
   }
 }
 
-fs::path partialFolder(const fs::path& folder, int number) {
-  return folder / (".hemitex.partial-" + std::to_string(number));
+/// Removes the temporary folders of runs that were killed.
+void removeAbandoned(const Folder& outer, const std::string& ours) {
+  std::error_code ignored;
+  std::set<std::string> names;
+  for (const fs::directory_entry& entry : fs::directory_iterator(outer.path(), ignored))
+    if (entry.path().filename().string().starts_with(prefix)) names.insert(entry.path().filename());
+  names.erase(ours);
+  for (const std::string& name : names)
+    if (const Descriptor folder = outer.open(name, O_RDONLY | O_DIRECTORY);
+        folder.isOpen() && flock(folder.get(), LOCK_EX | LOCK_NB) == 0)
+      fs::remove_all(outer.path() / name, ignored);
 }
 
-/// Removes the temporary folders that no run holds, from a number on.
-void removeStaleFolders(const fs::path& folder, int number) {
-  for (; fs::exists(partialFolder(folder, number)); ++number)
-    if (const std::optional<int> lock = lockedFolder(partialFolder(folder, number))) {
-      fs::remove_all(partialFolder(folder, number));
-      close(*lock);
-    }
+bool isSameFile(const Place& place, const fs::path& file) {
+  struct stat status = {};
+  return stat(file.c_str(), &status) == 0 && status.st_dev == place.device && status.st_ino == place.inode;
 }
 
-/// The topmost folder of a path that does not exist; empty if all exist.
-fs::path topmostMissing(fs::path folder) {
-  fs::path missing;
-  for (; !folder.empty() && !fs::exists(folder); folder = folder.parent_path()) missing = folder;
-  return missing;
-}
+/// During its lifetime, this run alone moves files into a folder.
+class MoveLock {
+ public:
+  explicit MoveLock(const Folder& folder) : folder_(folder) { flock(folder_.descriptor(), LOCK_EX); }
+  ~MoveLock() { flock(folder_.descriptor(), LOCK_UN); }
+  MoveLock(const MoveLock&) = delete;
+  MoveLock& operator=(const MoveLock&) = delete;
+
+ private:
+  const Folder& folder_;
+};
 
 }  // namespace
 
-Staging::Staging(const fs::path& folder, FolderUse use) {
+Staging::Staging(const Output& output)
+    : output_(output),
+      name_(output.kind == Output::Kind::File ? output.place.filename().string() : ""),
+      final_(output.kind == Output::Kind::File ? output.place.parent_path() : output.place),
+      temporary_(temporaryName(name_)) {
   try {
-    const fs::path absolute = fs::absolute(folder).lexically_normal();
-    final_ = absolute.has_filename() ? absolute : absolute.parent_path();
-    created_ = topmostMissing(final_);
-    fs::create_directories(final_);
-    std::optional<int> lock;
-    int number = 0;
-    for (; !lock; ++number) {
-      staged_ = partialFolder(final_, number);
-      lock = lockedFolder(staged_);
-      if (!lock && use == FolderUse::OneRun)
-        throw raster::InputError(folder.string(), 0, "is in use: another run writes its result there",
-                                 "wait for it, or choose another folder with -o");
-    }
-    lock_ = *lock;
-    for (const fs::directory_entry& left : fs::directory_iterator(staged_)) fs::remove_all(left);
-    removeStaleFolders(final_, number);
+    if (output.kind == Output::Kind::File && !staysInside(name_))
+      throw InputError(output.place.string(), 0, "is a folder, not the name of a file");
+    lock_ = lockedFolder(final_, temporary_);
+    if (!lock_.isOpen())
+      throw InputError(output.place.string(), 0, "is in use: another run writes its result there",
+                       "wait for it, or choose another place");
+    for (const fs::directory_entry& left : fs::directory_iterator(folder())) fs::remove_all(left);
+    removeAbandoned(final_, temporary_);
+    if (!output_.isOwn) record_ = OutputRecord(final_);
   } catch (const fs::filesystem_error& error) {
-    removeCreatedFolders();
-    throw raster::InputError(folder.string(), 0, "is not a folder that can be written: " + error.code().message(),
-                             "choose another folder with -o");
+    throw InputError(output.place.string(), 0, "cannot be written: " + error.code().message(), "choose another place");
+  } catch (const InputError&) {
+    if (lock_.isOpen()) rmdir(folder().c_str());
+    final_.removeMade();
+    throw;
   }
   const std::lock_guard guard(openFolders().mutex);
   openFolders().folders.insert(this);
@@ -99,65 +121,95 @@ Staging::~Staging() {
   const std::lock_guard guard(openFolders().mutex);
   removeFiles();
   openFolders().folders.erase(this);
-  close(lock_);
 }
 
 void Staging::removeFiles() const {
   std::error_code ignored;
-  fs::remove_all(staged_, ignored);
-  removeCreatedFolders();
+  fs::remove_all(folder(), ignored);
+  final_.removeMade();
 }
 
-void Staging::removeCreatedFolders() const {
-  std::error_code failed;
-  for (fs::path folder = final_; !created_.empty() && !failed; folder = folder.parent_path()) {
-    fs::remove(folder, failed);
-    if (folder == created_) return;
-  }
+Origin Staging::originOf(const std::string& name) const {
+  if (output_.replaced.contains(name)) return Origin::Intact;
+  if (output_.isOwn) return output_.isOwn(final_.pathOf(name)) ? Origin::Intact : Origin::Other;
+  return record_.originOf(final_, name, output_.writer);
 }
 
-void Staging::requirePlaces(const std::set<std::string>& names, const std::set<fs::path>& inputs) const {
-  for (const std::string& name : names) {
-    const fs::path place = final_ / name;
-    std::error_code ignored;
-    if (fs::is_directory(place, ignored))
-      throw raster::InputError(place.string(), 0, "is a folder, but a file of the result has this name",
-                               "choose another folder with -o");
-    for (const fs::path& input : inputs)
-      if (fs::equivalent(place, input, ignored))
-        throw raster::InputError(place.string(), 0, "is read by this run, and its result would replace it",
-                                 "choose another folder with -o");
-  }
+void Staging::requirePlace(const std::string& name) {
+  using Kind = Place::Kind;
+  const Place place = final_.placeOf(name);
+  if (place.kind == Kind::Nothing || checked_[name] == place) return;
+  const auto refuse = [&](const std::string& problem) {
+    throw InputError(place.path.string(), 0, problem, "move it, or choose another place for the result");
+  };
+  if (place.kind == Kind::Link) refuse("is a link, and results are not written through links");
+  if (place.kind == Kind::Device) refuse("is a device or a pipe, not a file");
+  if (place.kind == Kind::Folder) refuse("is a folder, but a file of the result has this name");
+  if (place.path != final_.pathOf(name)) refuse("is a file, but a folder of the result has this name");
+  for (const fs::path& input : output_.inputs)
+    if (isSameFile(place, input) && !output_.replaced.contains(name))
+      refuse("is read by this run, and its result would replace it");
+  const Origin origin = originOf(name);
+  if (origin == Origin::Changed) refuse("was changed since hemitex wrote it, and the result would replace it");
+  if (origin == Origin::Other)
+    refuse("is in the way: hemitex did not write it as a part of this result, and does not replace it");
+  checked_[name] = place;
 }
 
-void Staging::removeOld(const fs::path& name) const {
-  std::error_code ignored;
-  if (!fs::is_directory(final_ / name, ignored)) fs::remove(final_ / name);
+void Staging::requirePlaces(const std::set<std::string>& names) {
+  for (const std::string& name : names) requirePlace(name);
+}
+
+const std::map<std::string, std::string>& Staging::hashes() {
+  for (const fs::path& name : filesBelow(folder()))
+    if (!hashes_.contains(name.string())) hashes_[name.string()] = reference::sha256OfFile(folder() / name);
+  return hashes_;
+}
+
+void Staging::writeRecord() const {
+  if (record_.isEmpty()) return final_.remove(recordName);
+  raster::writeFile(folder() / recordName, record_.text());
+  final_.take(Folder(folder()), recordName);
 }
 
 void Staging::commit(const std::string& last, const std::set<std::string>& stale) {
   const std::lock_guard guard(openFolders().mutex);  // a signal waits until the result is whole
+  const MoveLock lock(final_);
+  const Folder staged(folder());
+  std::set<std::string> names;
+  for (const fs::path& name : filesBelow(folder())) names.insert(name);
+  if (!output_.isOwn && !record_.isCurrent(final_)) record_ = OutputRecord(final_);
+  requirePlaces(names);
+  std::set<std::string> removed;
+  for (const std::string& name : stale)
+    if (!names.contains(name) && originOf(name) == Origin::Intact) removed.insert(name);
+  std::map<std::string, std::string> listed;  // files without marks, which the record lists
+  if (!output_.isOwn)
+    for (const auto& [name, hash] : hashes())
+      if (!mark(folder() / name, output_.writer, hash)) listed.emplace(name, hash);
+  // A run that is killed from here on leaves only files that it could replace, with their old or new content.
+  for (const auto& [name, hash] : listed) record_.add(name, output_.writer, hash);
+  if (!listed.empty()) writeRecord();
+  if (!last.empty()) final_.remove(last);
+  for (const std::string& name : removed) final_.remove(name);
+  for (const std::string& name : names)
+    if (name != last) final_.take(staged, name);
+  if (!last.empty()) final_.take(staged, last);
+  for (const auto& [name, hash] : listed) record_.set(name, output_.writer, hash);
+  if (last == solutionName)
+    for (const std::string& name : earlierFiles()) record_.erase(name);
   try {
-    std::set<fs::path> names = filesBelow(staged_);
-    if (!last.empty()) removeOld(last);
-    for (const std::string& name : stale)
-      if (!names.contains(name)) removeOld(name);
-    names.erase(last);
-    const auto move = [this](const fs::path& name) {
-      fs::create_directories((final_ / name).parent_path());
-      fs::rename(staged_ / name, final_ / name);
-    };
-    for (const fs::path& name : names) move(name);
-    if (!last.empty()) move(last);
-  } catch (const fs::filesystem_error& error) {
-    throw raster::InputError(final_.string(), 0, "the result cannot be moved here: " + error.code().message());
+    if (!listed.empty()) writeRecord();
+  } catch (const InputError&) {  // the disk is full: the record of the move lists the same files
   }
+  checked_.clear();
+  hashes_.clear();
 }
 
 std::set<fs::path> filesBelow(const fs::path& folder) {
   std::set<fs::path> files;
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder))
-    if (!entry.is_directory()) files.insert(entry.path().lexically_relative(folder));
+    if (entry.symlink_status().type() == fs::file_type::regular) files.insert(entry.path().lexically_relative(folder));
   return files;
 }
 

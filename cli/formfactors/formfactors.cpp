@@ -13,6 +13,7 @@
 
 #include "cli/common/commands.h"
 #include "cli/common/json.h"
+#include "cli/common/program.h"
 #include "cli/common/table.h"
 #include "cli/formfactors/facet_values.h"
 #include "cli/formfactors/row_file.h"
@@ -70,7 +71,7 @@ RowMethod methodOf(const FormFactorOptions& options, const radiosity::Scene& sce
     return reference::facetMethod(scene, discretization, receivers, *options.maxError, context.ranks ? 1 : 256);
   if (options.method == "rays") return reference::rayMethod(scene, discretization, receivers, options.rays);
   if (options.method == "analytic") return reference::analyticMethod(scene, discretization, receivers);
-  return reference::drawnMethod(scene, discretization, receivers, layoutOf(options.id, discretization, context.console),
+  return reference::drawnMethod(scene, discretization, receivers, layoutOf(options.id, discretization),
                                 options.drawing);
 }
 
@@ -204,34 +205,42 @@ void tellChecks(const std::vector<Row>& matrix, const reference::MatrixChecks& c
 }
 
 /// Identifies the computation of a matrix.
-std::string computationOf(const FormFactorOptions& options, const radiosity::Scene& scene) {
+Computation computationOf(const FormFactorOptions& options, const radiosity::Scene& scene) {
   nlohmann::ordered_json settings = settingsOf(options);
   settings.update(toJson(options.discretization));
   settings.update(toJson(options.id));
-  return reference::sha256(hashOf(scene) + toText(settings));
+  return {programVersion(), reference::sha256(hashOf(scene) + toText(settings))};
 }
 
 /// The file that rows are kept in; null without --output, and on all ranks but the one that writes.
 std::unique_ptr<RowFile> rowFileOf(const FormFactorOptions& options, Context& context, const radiosity::Scene& scene,
                                    const std::set<std::string>& companions = {}) {
   if (options.output.empty() || !context.isWriter()) return nullptr;
-  auto file = std::make_unique<RowFile>(options.output, scene.files, computationOf(options, scene), companions);
-  if (file->wasDamaged()) context.console.warning("the last line of the unfinished result was damaged; it is dropped");
-  if (file->rows() > 0)
-    context.console.message("goes on after " + std::to_string(file->rows()) + " rows that an earlier run left");
-  return file;
+  const std::string writer = "formfactors " + options.output.filename().string();
+  return std::make_unique<RowFile>(Output{Output::Kind::File, options.output, writer, context.inputs(scene.files)},
+                                   computationOf(options, scene), companions);
+}
+
+/// Gives the rows that an earlier run left to `take`.
+void goOn(RowFile& file, std::size_t receivers, Console& console, const std::function<void(Row row)>& take) {
+  const bool wasDamaged = file.replay(receivers, take);
+  if (wasDamaged)
+    console.warning("row " + std::to_string(file.rows()) +
+                    " of the unfinished result is damaged: it and those behind it are computed again");
+  if (file.rows() > 0)
+    console.message("goes on after " + std::to_string(file.rows()) + " rows that an earlier run left");
 }
 
 /// Gives all rows to `take`, in order, on the rank that writes; the ranks of a parallel run share the work.
 void forEachRow(const RowMethod& rowFrom, const Families& families, RowFile* file, Context& context,
                 const std::function<void(Row row)>& take) {
   const std::size_t count = families.names.size();
-  if (file) file->replay([&](const std::string& line) { take(rowOf(line)); });
+  if (file) goOn(*file, count, context.console, take);
   const auto compute = [&](std::size_t from) {
     return lineOf(families.surfaces[from].empty() ? Row() : rowFrom({families.surfaces[from]}));
   };
   const auto keep = [&](std::size_t from, const std::string& line) {
-    take(rowOf(line));
+    take(*rowOf(line, count));
     if (file) file->append(line);
     context.console.progress(static_cast<double>(from + 1) / static_cast<double>(count), families.names[from]);
   };
@@ -366,27 +375,28 @@ void writeMatrix(const FormFactorOptions& options, Context& context, const radio
   FacetValues values(families.names.size(), options.vtuRows);
   std::optional<FacetFile> facets;
   if (!options.vtu.empty() && context.isWriter())
-    facets.emplace(options.vtu, std::set(scene.files.begin(), scene.files.end()));
+    facets.emplace(options.vtu, "formfactors --vtu", context.inputs(scene.files));
   const std::unique_ptr<RowFile> file = rowFileOf(options, context, scene, {description});
   const RowMethod rowFrom = methodOf(options, scene, discretization, receivers, context);
   if (!file) return forEachRow(rowFrom, families, nullptr, context, [](const Row&) {});
   reference::MatrixHeading heading = headingOf(families, receivers);
   heading.hasErrors = options.maxError || options.method == "rays";
-  MatrixOutput matrix(file->staged(), heading, options.smooth, [&](const reference::SparseRow& row, double error) {
-    if (facets) values.take(row, error);
-  });
+  MatrixOutput matrix(file->staging().file(), heading, options.smooth,
+                      [&](const reference::SparseRow& row, double error) {
+                        if (facets) values.take(row, error);
+                      });
   forEachRow(rowFrom, families, file.get(), context, [&](const Row& row) { matrix.take(row); });
   const std::optional<reference::SmoothingMoves> moves = matrix.finish();
   if (facets) facets->write(options.scene.file, values.arrays());
   nlohmann::ordered_json result{{"matrix", options.output.filename().string()},
-                                {"sha256", reference::sha256OfFile(file->staged())}};
+                                {"sha256", file->staging().hashes().at(options.output.filename())}};
   result.update(nlohmann::ordered_json::parse(reference::aboutMatrix(heading)));
   result.update(matrix.toJson());
   if (moves) result["smoothing"] = tellMoves(*moves, heading.hasErrors, context.console);
   result["settings"] = settingsOf(options);
   result["settings"].update(toJson(options.discretization));
   result["area"] = heading.area;
-  raster::writeFile(file->staged().replace_filename(description), toText(result));
+  raster::writeFile(file->staging().folder() / description, toText(result));
   file->finish(description);
   if (context.json) std::cout << toText(result);
 }
@@ -426,7 +436,7 @@ void printMatrix(const FormFactorOptions& options, Context& context, const radio
     writeCsv(output, table);
   }
   if (!file) return;
-  raster::writeFile(file->staged(), text.str());
+  raster::writeFile(file->staging().file(), text.str());
   file->finish();
 }
 
@@ -475,15 +485,16 @@ void addFormFactors(Command program, Context& context) {
                "correct the matrix to exact reciprocity by least squares, with the same row sums; both measurements of "
                "a pair are averaged, so that errors become smaller")
       .needs(all);
-  rows.addPath("-o,--output", options->output,
-               "write the matrix into this file, and with --json only its checks to stdout; rows are kept in "
-               "FILE.part, from which an interrupted run goes on")
+  rows.addOutputFile("-o,--output", options->output,
+                     "write the matrix into this file, and with --json only its checks to stdout; rows are kept in "
+                     "FILE.part, from which an interrupted run goes on")
       .needs(all);
-  const Option vtu = rows.addPath("--vtu", options->vtu,
-                                  "with --all -o of facets, also write the mesh for ParaView: each facet with the sum "
-                                  "of its row, its shares of surroundings and backs, and its estimated error if known",
-                                  "FILE.vtu")
-                         .needs(all);
+  const Option vtu =
+      rows.addOutputFile("--vtu", options->vtu,
+                         "with --all -o of facets, also write the mesh for ParaView: each facet with the sum "
+                         "of its row, its shares of surroundings and backs, and its estimated error if known",
+                         "FILE.vtu")
+          .needs(all);
   rows.addTexts("--row", "N", "also write the row of facet N into the file of --vtu (repeatable)",
                 [options](const std::vector<std::string>& texts) {
                   for (const std::string& text : texts)

@@ -1,14 +1,16 @@
 #include "cli/formfactors/row_file.h"
 
 #include <fcntl.h>
-#include <sys/file.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <functional>
 #include <nlohmann/json.hpp>
-#include <optional>
+#include <vector>
 
 #include "cli/common/json.h"
-#include "raster/base/file_io.h"
 #include "raster/base/input_error.h"
 #include "reference/base/hashes/sha256.h"
 
@@ -16,21 +18,48 @@ namespace hemitex::cli {
 namespace {
 
 using nlohmann::json;
+using raster::InputError;
 
-const std::string advice = "delete it, or choose another file";
+const std::string title = "hemitex rows 2 ";
+const char* const advice = "delete it, or choose another file";
 
-/// A line of the file, without its hash; nothing if it is damaged.
-std::optional<std::string> intactLine(const std::string& text) {
-  if (text.size() < reference::sha256Digits + 1) return std::nullopt;
-  std::string line = text.substr(0, text.size() - reference::sha256Digits - 1);
-  if (text.substr(line.size()) != " " + reference::sha256(line)) return std::nullopt;
-  return line;
+/// A line without the hash at its end; nothing if it is damaged.
+std::optional<std::string_view> withoutHash(std::string_view line) {
+  if (line.size() <= reference::sha256Digits) return std::nullopt;
+  const std::string_view text = line.substr(0, line.size() - reference::sha256Digits - 1);
+  return line.substr(text.size()) == " " + reference::sha256(text) ? std::optional(text) : std::nullopt;
 }
 
-std::string withHash(const std::string& line) { return line + ' ' + reference::sha256(line) + '\n'; }
+std::string withHash(const std::string& text) { return text + ' ' + reference::sha256(text) + '\n'; }
+
+/// The first line of a file of rows.
+std::string headingOf(const Computation& computation) {
+  return withHash(title + computation.version + ' ' + computation.hash);
+}
+
+bool isShare(double value) { return std::isfinite(value) && value >= 0; }
+
+bool areShares(const std::vector<double>& values) { return std::all_of(values.begin(), values.end(), isShare); }
+
+bool isValid(const reference::Row& row, std::size_t receivers) {
+  const auto isPlausible = [](const std::optional<double>& value) { return !value || isShare(*value); };
+  const std::vector<std::uint32_t>& receiver = row.receiver;
+  return std::adjacent_find(receiver.begin(), receiver.end(), std::greater_equal<>()) == receiver.end() &&
+         (receiver.empty() || receiver.back() < receivers) && row.formFactor.size() == receiver.size() &&
+         (row.standardError.empty() || row.standardError.size() == receiver.size()) && areShares(row.formFactor) &&
+         areShares(row.standardError) && isPlausible(row.background) && isPlausible(row.back) &&
+         isShare(row.backgroundError) && isShare(row.backError) && isPlausible(row.captured) && isPlausible(row.error);
+}
 
 std::optional<double> numberIn(const json& value) {
   return value.is_null() ? std::nullopt : std::optional(value.get<double>());
+}
+
+/// Whether a value is a list of integers that are row numbers: others would be converted without a word.
+bool areNumbers(const json& list) {
+  return list.is_array() && std::all_of(list.begin(), list.end(), [](const json& value) {
+           return value.is_number_unsigned() && value.get<std::uint64_t>() <= 0xFFFFFFFF;
+         });
 }
 
 }  // namespace
@@ -41,85 +70,106 @@ std::string lineOf(const reference::Row& row) {
       .dump();
 }
 
-reference::Row rowOf(const std::string& line) {
-  const json row = json::parse(line);
-  return {row[0].get<std::vector<std::uint32_t>>(),
-          row[1].get<std::vector<double>>(),
-          row[2].get<std::vector<double>>(),
-          numberIn(row[3]),
-          numberIn(row[4]),
-          row[5].get<double>(),
-          row[6].get<double>(),
-          numberIn(row[7]),
-          numberIn(row[8])};
-}
-
-RowFile::RowFile(const std::filesystem::path& output, const std::vector<std::filesystem::path>& inputs,
-                 const std::string& computation, const std::set<std::string>& companions)
-    : staging_(std::filesystem::absolute(output).parent_path(), FolderUse::SeveralRuns),
-      name_(output.filename()),
-      part_(output.string() + ".part") {
-  std::set<std::string> names = companions;
-  names.insert({name_, part_.filename()});
-  staging_.requirePlaces(names, {inputs.begin(), inputs.end()});
-  lock();
-  findIntactRows(computation);
-  stream_.open(part_, std::ios::binary | std::ios::app);
-}
-
-RowFile::~RowFile() {
-  if (lock_ >= 0) close(lock_);
-}
-
-/// Holds the file of rows against other runs.
-void RowFile::lock() {
-  lock_ = open(part_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
-  if (lock_ < 0) throw raster::InputError(part_.string(), 0, "cannot be written", advice);
-  if (flock(lock_, LOCK_EX | LOCK_NB) != 0)
-    throw raster::InputError(part_.string(), 0, "is in use: another run writes its rows there",
-                             "wait for it, or choose another file");
-}
-
-/// Counts the rows of an earlier run. Drops the tail of a file that is not intact.
-void RowFile::findIntactRows(const std::string& computation) {
-  std::ifstream stream(part_, std::ios::binary);
-  if (!stream) throw raster::InputError(part_.string(), 0, "cannot be read", advice);
-  std::string text;
-  // The last line is incomplete if it has no end.
-  const auto next = [&] { return std::getline(stream, text) && !stream.eof() ? intactLine(text) : std::nullopt; };
-  const std::optional<std::string> found = next();
-  // A run that ended while it wrote the first line leaves a part of it.
-  if (found ? *found != computation : !stream.eof() || !withHash(computation).starts_with(text))
-    throw raster::InputError(part_.string(), 1, "the rows belong to another scene or other settings", advice);
-  std::uintmax_t intact = found ? withHash(computation).size() : 0;
-  while (found && next()) {
-    ++rows_;
-    intact += text.size() + 1;
+std::optional<reference::Row> rowOf(std::string_view line, std::size_t receivers) {
+  const json list = json::parse(line, nullptr, false);
+  if (!list.is_array() || list.size() != 9 || !areNumbers(list[0])) return std::nullopt;
+  try {
+    reference::Row row{list[0].get<std::vector<std::uint32_t>>(),
+                       list[1].get<std::vector<double>>(),
+                       list[2].get<std::vector<double>>(),
+                       numberIn(list[3]),
+                       numberIn(list[4]),
+                       list[5].get<double>(),
+                       list[6].get<double>(),
+                       numberIn(list[7]),
+                       numberIn(list[8])};
+    return isValid(row, receivers) ? std::optional(std::move(row)) : std::nullopt;
+  } catch (const json::exception&) {  // a value of another type
+    return std::nullopt;
   }
-  stream.close();
-  wasDamaged_ = intact < std::filesystem::file_size(part_);
-  if (found)
-    std::filesystem::resize_file(part_, intact);
-  else
-    raster::writeFile(part_, withHash(computation));
 }
 
-void RowFile::replay(const std::function<void(const std::string& line)>& take) {
-  std::ifstream stream(part_, std::ios::binary);
-  std::string text;
-  std::getline(stream, text);  // the computation
-  for (std::size_t row = 0; row < rows_ && std::getline(stream, text); ++row) take(*intactLine(text));
+std::string numberedLine(std::size_t number, const std::string& row) {
+  return withHash(std::to_string(number) + ' ' + row);
 }
 
-void RowFile::append(const std::string& line) {
-  if (!(stream_ << withHash(line)).flush())
-    throw raster::InputError(part_.string(), 0, "cannot be written", "check the disk; the complete rows are kept");
+std::optional<reference::Row> numberedRow(std::string_view line, std::size_t number, std::size_t receivers) {
+  const std::string prefix = std::to_string(number) + ' ';
+  const std::optional<std::string_view> text = withoutHash(line);
+  if (!text || !text->starts_with(prefix)) return std::nullopt;
+  return rowOf(text->substr(prefix.size()), receivers);
 }
+
+RowFile::RowFile(const Output& output, const Computation& computation, const std::set<std::string>& companions)
+    : staging_(output), part_(output.place.filename().string() + ".part"), file_(nullptr, std::fclose) {
+  std::set<std::string> names = companions;
+  names.insert(output.place.filename());
+  staging_.requirePlaces(names);
+  const Folder& folder = staging_.place();
+  const std::string path = folder.pathOf(part_).string();
+  if (const auto kind = folder.placeOf(part_).kind; kind != Place::Kind::Nothing && kind != Place::Kind::File)
+    throw InputError(path, 0, "is in the way: rows are kept in a file of this name", advice);
+  const Descriptor opened = folder.open(part_, O_RDWR | O_CREAT);
+  file_.reset(opened.isOpen() ? fdopen(dup(opened.get()), "r+b") : nullptr);
+  if (!file_) throw InputError(path, 0, "cannot be written", advice);
+  const std::string heading = headingOf(computation), line = nextLine(), known = title + computation.version + ' ';
+  if (line.starts_with(title) && line.ends_with('\n') && !line.starts_with(known)) {
+    const std::string version = line.substr(title.size(), line.find(' ', title.size()) - title.size());
+    throw InputError(
+        path, 1,
+        "the rows are of hemitex " + raster::excerpt(version, 20) + ", and this is hemitex " + computation.version,
+        advice);
+  }
+  // A run that ended while it wrote the first line leaves a part of it.
+  if (!heading.starts_with(line))
+    throw InputError(path, 1, "the rows belong to another scene or other settings", advice);
+  if (line == heading) return;
+  cutFrom(0);
+  write(heading);
+}
+
+/// The next line, with its end if it is complete.
+std::string RowFile::nextLine() {
+  char* text = nullptr;
+  std::size_t capacity = 0;
+  const ssize_t size = getline(&text, &capacity, file_.get());
+  const std::unique_ptr<char, void (*)(void*)> owner(text, [](void* bytes) { std::free(bytes); });
+  return size > 0 ? std::string(text, static_cast<std::size_t>(size)) : std::string();
+}
+
+/// Drops what the file holds from a place on, and goes there.
+void RowFile::cutFrom(long place) {
+  if (std::fseek(file_.get(), place, SEEK_SET) != 0 || ftruncate(fileno(file_.get()), place) != 0)
+    throw InputError(staging_.place().pathOf(part_).string(), 0, "cannot be written", advice);
+}
+
+bool RowFile::replay(std::size_t receivers, const std::function<void(reference::Row)>& take) {
+  for (;; ++rows_) {
+    const long place = std::ftell(file_.get());
+    std::string line = nextLine();
+    const bool isComplete = line.ends_with('\n');
+    if (isComplete) line.pop_back();
+    std::optional<reference::Row> row;
+    if (isComplete) row = numberedRow(line, rows_, receivers);
+    if (!row) {
+      cutFrom(place);
+      return !line.empty() || isComplete;
+    }
+    take(std::move(*row));
+  }
+}
+
+void RowFile::write(const std::string& line) {
+  if (std::fwrite(line.data(), 1, line.size(), file_.get()) != line.size() || std::fflush(file_.get()) != 0)
+    throw InputError(staging_.place().pathOf(part_).string(), 0, "cannot be written",
+                     "check the disk; the complete rows are kept");
+}
+
+void RowFile::append(const std::string& row) { write(numberedLine(rows_++, row)); }
 
 void RowFile::finish(const std::string& last) {
   staging_.commit(last);
-  stream_.close();
-  std::filesystem::remove(part_);
+  staging_.place().remove(part_);
 }
 
 }  // namespace hemitex::cli

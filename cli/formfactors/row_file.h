@@ -2,12 +2,13 @@
 /// interrupted run continues.
 #pragma once
 
-#include <filesystem>
-#include <fstream>
+#include <cstdio>
 #include <functional>
+#include <memory>
+#include <optional>
 #include <set>
 #include <string>
-#include <vector>
+#include <string_view>
 
 #include "cli/common/staging.h"
 #include "reference/truth/rows/scene_rows.h"
@@ -16,48 +17,55 @@ namespace hemitex::cli {
 
 /// A row as one line of JSON, in full precision, without a line end.
 std::string lineOf(const reference::Row& row);
-/// Reads what lineOf wrote.
-reference::Row rowOf(const std::string& line);
+/// Reads what lineOf wrote; nothing if the text is no row of a matrix with this number of receivers: receivers ascend,
+/// each has a finite form factor of at least 0, and errors, if there are any, are finite and at least 0.
+std::optional<reference::Row> rowOf(std::string_view line, std::size_t receivers);
 
-/// A file `OUTPUT.part` with the rows that are complete, one line per row behind a line that names the computation.
-/// Each line ends with the hash of its text, so that the tail of a file that was being written is recognized.
+/// A line of a file of rows: the number of the row, the row, and the hash of both, with a line end.
+std::string numberedLine(std::size_t number, const std::string& row);
+/// The row of such a line without its end; nothing if the line is damaged or has another number.
+std::optional<reference::Row> numberedRow(std::string_view line, std::size_t number, std::size_t receivers);
+
+/// What identifies the computation of a matrix.
+struct Computation {
+  std::string version;  ///< of hemitex
+  std::string hash;     ///< of scene and settings
+};
+
+/// A file `OUTPUT.part` with the rows that are complete, one numbered line per row behind a line that names the version
+/// and the computation. The hash of each line tells the tail of a file that was being written.
 class RowFile {
  public:
-  /// Continues the file, or starts it if there is none. `computation` identifies scene and settings in one line.
-  /// `inputs` are the files that the run reads, and `companions` the names of files that it writes beside the result.
-  /// Throws InputError if a file cannot be written, if the result would replace an input, if another run writes the
-  /// same result, or if the rows belong to another computation.
-  RowFile(const std::filesystem::path& output, const std::vector<std::filesystem::path>& inputs,
-          const std::string& computation, const std::set<std::string>& companions = {});
-  ~RowFile();
+  /// Continues the file, or starts it if there is none. `output` is the result, a file, and `companions` are names of
+  /// files that are written beside it. Throws InputError if a file cannot be written (see Staging), or if the rows
+  /// belong to another version or computation.
+  RowFile(const Output& output, const Computation& computation, const std::set<std::string>& companions = {});
   RowFile(const RowFile&) = delete;
   RowFile& operator=(const RowFile&) = delete;
 
-  /// Calls `take` with each row that the file held when it was opened. Call it before `append`.
-  void replay(const std::function<void(const std::string& line)>& take);
-  /// The number of these rows.
+  /// Gives the rows that the file held when it was opened to `take`, in their order. Drops the first damaged one and
+  /// all behind it. Call it once, before `append`. Returns whether rows were dropped.
+  bool replay(std::size_t receivers, const std::function<void(reference::Row)>& take);
+  /// The number of rows in the file.
   std::size_t rows() const { return rows_; }
-  /// Whether the end of the file was damaged, so that it was dropped.
-  bool wasDamaged() const { return wasDamaged_; }
   /// Appends a row. Throws InputError if it cannot be written.
-  void append(const std::string& line);
-  /// Where the result is written before it has its final name, and files beside it.
-  std::filesystem::path staged() const { return staging_.folder() / name_; }
+  void append(const std::string& row);
+
+  /// Where the result is written before it has its final name, with the files beside it.
+  Staging& staging() { return staging_; }
   /// Gives the result, and the files beside it, their final names, and removes the file of rows. The file `last`, if
   /// there is one, says that the others are complete.
   void finish(const std::string& last = {});
 
  private:
-  void lock();
-  void findIntactRows(const std::string& computation);
+  void write(const std::string& line);
+  std::string nextLine();
+  void cutFrom(long place);
 
   Staging staging_;
-  std::string name_;  ///< of the result
-  std::filesystem::path part_;
-  int lock_ = -1;
+  std::string part_;  ///< the name of the file
+  std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
   std::size_t rows_ = 0;
-  bool wasDamaged_ = false;
-  std::ofstream stream_;
 };
 
 }  // namespace hemitex::cli

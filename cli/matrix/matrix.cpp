@@ -141,7 +141,7 @@ void compare(const MatrixOptions& options, Context& context) {
   }
   const double share = all > 0 ? apart / all : 0;
   if (!options.vtu.empty())
-    FacetFile(options.vtu, {options.matrix, options.other, options.mesh.file})
+    FacetFile(options.vtu, "matrix compare", context.inputs(mesh.scene.files))
         .write(options.mesh.file, std::vector<radiosity::FaceArray>{{"difference", 1, found.difference},
                                                                     {"difference_received", 1, found.received},
                                                                     {"row_sum", 1, found.sum}});
@@ -182,10 +182,11 @@ void addMatrix(Command program, Context& context) {
   comparing.addPath("FILE", options->matrix, "matrix: .npz, .mtx, .csv, .vf or .txt").required();
   comparing.addPath("OTHER", options->other, "another matrix of the same mesh").required();
   addMesh(comparing, *options);
-  comparing.addPath("--vtu", options->vtu,
-                    "also write the mesh for ParaView, each facet with the difference of its rows and of the light "
-                    "that it receives",
-                    "FILE.vtu");
+  comparing.addOutputFile(
+      "--vtu", options->vtu,
+      "also write the mesh for ParaView, each facet with the difference of its rows and of the light "
+      "that it receives",
+      "FILE.vtu");
   comparing.addExamples({"F.npz factors.vf city.vs3", "coarse.npz fine.npz city.stl --vtu difference.vtu"});
   matrix.addExamples({"check F.npz city.stl", "compare F.npz factors.vf city.vs3"});
   comparing.onRead([options, &context] { context.command = [options, &context] { compare(*options, context); }; });

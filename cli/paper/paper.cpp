@@ -30,7 +30,7 @@ std::vector<reference::PaperDevice> devices(Console& console) {
 void makePaper(const std::filesystem::path& output, Context& context) {
   Console& console = context.console;
   const reference::Stopwatch all;
-  Staging staging(output);
+  Staging staging({.place = output, .writer = "paper"});
   const auto progress = [&console](double fraction, const std::string& what) { console.progress(fraction, what); };
   // The paper measured on one processor. More threads would hide the cost of the serial parts.
   const raster::ThreadLimit oneProcessor(1);

@@ -109,7 +109,7 @@ Image elementView(const RenderOptions& options, const Subject& subject, Console&
 template <auto picture>
 Image idView(const RenderOptions& options, const Subject& subject, Console& console) {
   const radiosity::Discretization discretization = shownDiscretization(options, subject);
-  return picture(subject.scene, discretization, layoutOf(options.id, discretization, console), subject.camera,
+  return picture(subject.scene, discretization, shownLayoutOf(options.id, discretization, console), subject.camera,
                  options.camera.width, options.camera.height);
 }
 
@@ -117,7 +117,7 @@ Image idView(const RenderOptions& options, const Subject& subject, Console& cons
 Image blendErrorView(const RenderOptions& options, const Subject& subject, Console& console) {
   const radiosity::Discretization discretization = shownDiscretization(options, subject);
   radiosity::BlendErrors errors =
-      radiosity::blendErrorPicture(subject.scene, discretization, layoutOf(options.id, discretization, console),
+      radiosity::blendErrorPicture(subject.scene, discretization, shownLayoutOf(options.id, discretization, console),
                                    subject.camera, options.camera.width, options.camera.height);
   if (errors.pixels > 0)
     console.warning(
@@ -156,7 +156,7 @@ template <radiosity::ProjectionKind kind>
 Image projectionView(const RenderOptions& options, const Subject& subject, Console& console) {
   const radiosity::Scene& scene = subject.scene;
   const radiosity::Discretization discretization = shownDiscretization(options, subject);
-  const radiosity::IdLayout layout = layoutOf(options.id, discretization, console);
+  const radiosity::IdLayout layout = shownLayoutOf(options.id, discretization, console);
   const reference::Source source = options.from.empty() ? reference::Source{{firstEmitter(scene)}}
                                                         : sourceNamed(scene, discretization, options.from);
   const std::uint32_t surface = source.surfaces.front();
@@ -178,10 +178,10 @@ Image projectionView(const RenderOptions& options, const Subject& subject, Conso
 
 void render(const RenderOptions& options, Context& context) {
   const Subject subject = subjectOf(options, context.console);
-  Staging staging(std::filesystem::absolute(options.output).parent_path(), FolderUse::SeveralRuns);
-  staging.requirePlaces({options.output.filename()}, {subject.scene.files.begin(), subject.scene.files.end()});
+  Staging staging({Output::Kind::File, options.output, "render", context.inputs(subject.scene.files)});
+  staging.requirePlaces({options.output.filename()});
   const Image image = options.show(options, subject, context.console);
-  radiosity::writePng(staging.folder() / options.output.filename(), image);
+  radiosity::writePng(staging.file(), image);
   staging.commit();
   if (context.json)
     std::cout << toText({{"width", image.width}, {"height", image.height}, {"warnings", context.console.given()}});
@@ -194,7 +194,7 @@ void addRender(Command program, Context& context) {
   options->show = radiosityView;
   const Command command = program.addCommand("render", "Draw a picture of a scene, of its light or of its item IDs");
   const Command picture = command.under("Picture");
-  addOutput(picture, options->output, "write the picture into this PNG file");
+  picture.addOutputFile("-o,--output", options->output, "write the picture into this PNG file").required();
   addChoice<View>(
       picture, "--show", options->show,
       {{"radiosity", radiosityView},

@@ -14,13 +14,14 @@ const std::filesystem::path& checked(const std::filesystem::path& file) {
 
 }  // namespace
 
-FacetFile::FacetFile(const std::filesystem::path& file, const std::set<std::filesystem::path>& inputs)
-    : name_(checked(file).filename()), staging_(std::filesystem::absolute(file).parent_path(), FolderUse::SeveralRuns) {
-  staging_.requirePlaces({name_}, inputs);
+FacetFile::FacetFile(const std::filesystem::path& file, const std::string& writer,
+                     const std::set<std::filesystem::path>& inputs)
+    : staging_({Output::Kind::File, checked(file), writer, inputs}) {
+  staging_.requirePlaces({file.filename()});
 }
 
 void FacetFile::write(const std::filesystem::path& mesh, std::span<const radiosity::FaceArray> arrays) {
-  radiosity::writeVtu(staging_.folder() / name_, radiosity::readFaces(mesh), arrays);
+  radiosity::writeVtu(staging_.file(), radiosity::readFaces(mesh), arrays);
   staging_.commit();
 }
 

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <set>
 #include <span>
+#include <string>
 
 #include "cli/common/staging.h"
 #include "radiosity/meshes/polygon_mesh.h"
@@ -12,15 +13,15 @@ namespace hemitex::cli {
 
 class FacetFile {
  public:
-  /// Throws InputError if the name does not end in `.vtu`, the folder cannot be written, or the file would replace one
-  /// of `inputs`.
-  FacetFile(const std::filesystem::path& file, const std::set<std::filesystem::path>& inputs);
+  /// `writer` and `inputs`: see Output. Throws InputError if the name does not end in `.vtu` or the file cannot be
+  /// written.
+  FacetFile(const std::filesystem::path& file, const std::string& writer,
+            const std::set<std::filesystem::path>& inputs);
 
   /// Writes the faces of a mesh file in their order, with one value or vector each (see writeVtu).
   void write(const std::filesystem::path& mesh, std::span<const radiosity::FaceArray> arrays);
 
  private:
-  std::filesystem::path name_;
   Staging staging_;
 };
 

@@ -83,25 +83,19 @@ radiosity::Sun readSun(const ordered_json& value, const std::string& file) {
 /// Reads the file of `--lights`. The other options, which override it, are read before: options are read in the order
 /// in which they are added.
 void readLights(const std::filesystem::path& file, MaterialOptions& options) {
-  const std::string form = R"(write {"NAME": [R,G,B], ...})";
-  options.lightsFile = file;
   std::vector<NamedColor> lights;
   radiosity::OutsideLight outside;
-  try {
-    const auto content =
-        reference::parseJson<ordered_json>(raster::readFile(file, "give a JSON file of lights"), file.string());
-    if (!content.is_object()) throw InputError(file.string(), 0, "is no JSON object", form);
-    for (const auto& [name, value] : content.items()) {
-      if (name == "sky")
-        outside.sky = readLight(name, value, file.string()).color;
-      else if (name != "sun")
-        lights.push_back(readLight(name, value, file.string()));
-      else
-        for (const ordered_json& sun : value.is_array() ? value : ordered_json::array({value}))
-          outside.suns.push_back(readSun(sun, file.string()));
-    }
-  } catch (const ordered_json::exception& error) {
-    throw InputError(file.string(), 0, error.what(), form);
+  const auto content =
+      reference::parseJson<ordered_json>(raster::readFile(file, "give a JSON file of lights"), file.string());
+  if (!content.is_object()) throw InputError(file.string(), 0, "is no JSON object", R"(write {"NAME": [R,G,B], ...})");
+  for (const auto& [name, value] : content.items()) {
+    if (name == "sky")
+      outside.sky = readLight(name, value, file.string()).color;
+    else if (name != "sun")
+      lights.push_back(readLight(name, value, file.string()));
+    else
+      for (const ordered_json& sun : value.is_array() ? value : ordered_json::array({value}))
+        outside.suns.push_back(readSun(sun, file.string()));
   }
   options.emissions.insert(options.emissions.begin(), lights.begin(), lights.end());
   if (!options.sky && outside.sky != glm::dvec3(0)) options.sky = outside.sky;
@@ -135,7 +129,7 @@ void addMaterialOptions(Command command, MaterialOptions& options) {
                    [&options](const std::vector<std::string>& texts) {
                      for (const std::string& text : texts) options.suns.push_back(readSun(text));
                    });
-  command.addText("--lights", "FILE.json",
+  command.addPath("--lights", "FILE.json",
                   R"(read emissions from a JSON object {"NAME": [R,G,B], ...}; see --emit. The names "sky" and "sun" )"
                   R"(mean --sky and --sun: {"sky": [R,G,B], "sun": {"towards": [x,y,z], "irradiance": [R,G,B]}})",
                   [&options](const std::string& text) { readLights(text, options); });

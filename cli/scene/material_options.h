@@ -27,7 +27,6 @@ struct MaterialOptions {
   std::vector<NamedColor> reflectances;  ///< of `--reflectance`
   std::optional<glm::dvec3> sky;         ///< of `--sky`, else of `--lights`
   std::vector<radiosity::Sun> suns;      ///< of `--sun`, else of `--lights`
-  std::filesystem::path lightsFile;      ///< of `--lights`; empty if it is not given
 
   bool changeMaterials() const { return !emissions.empty() || !reflectances.empty(); }
   bool areGiven() const { return changeMaterials() || sky || !suns.empty(); }

@@ -2,11 +2,9 @@
 
 #include <optional>
 
-#include "cli/common/staging.h"
 #include "raster/base/file_io.h"
 #include "raster/base/input_error.h"
 #include "reference/base/hashes/sha256.h"
-#include "reference/base/json_text.h"
 
 namespace hemitex::cli {
 namespace {
@@ -14,30 +12,9 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::ordered_json;
 
-const char* const sealName = "solution.json";
-
-bool hasTimes(const fs::path& name) { return name.filename() == sealName || name.filename() == "report.html"; }
-
-bool staysInside(const fs::path& name) {
-  return !name.empty() && name.is_relative() && *name.lexically_normal().begin() != "..";
-}
-
-/// Leaves out all members of the outermost object but `files`: a million surfaces would take gigabytes.
-bool isOfFiles(int depth, ordered_json::parse_event_t event, ordered_json& parsed) {
-  return depth != 1 || event != ordered_json::parse_event_t::key || parsed == "files";
-}
-
 /// The object `files` of the solution.json of a folder; empty if there is none.
 ordered_json namedFiles(const fs::path& folder) {
-  const std::optional<std::string> text = raster::tryReadFile(folder / sealName);
-  if (!text) return ordered_json::object();
-  try {
-    const auto solution = reference::parseJson<ordered_json>(*text, {}, isOfFiles);
-    const ordered_json files = solution.is_object() ? solution.value("files", ordered_json()) : ordered_json();
-    return files.is_object() ? files : ordered_json::object();
-  } catch (const raster::InputError&) {  // no file of ours
-    return ordered_json::object();
-  }
+  return filesOfSolution(raster::tryReadFile(folder / solutionName).value_or(""));
 }
 
 }  // namespace
@@ -49,13 +26,10 @@ ordered_json fileHashes(const fs::path& folder) {
   return hashes;
 }
 
-std::set<std::string> filesOfSolution(const fs::path& folder) {
-  std::set<std::string> names;
-  const ordered_json files = namedFiles(folder);
-  for (const auto& [name, hash] : files.items())
-    if (staysInside(name)) names.insert(name);
-  if (!names.empty()) names.insert(sealName);
-  return names;
+ordered_json fileHashes(Staging& staging) {
+  ordered_json hashes = ordered_json::object();
+  for (const auto& [name, hash] : staging.hashes()) hashes[name] = hasTimes(name) ? ordered_json() : ordered_json(hash);
+  return hashes;
 }
 
 void requireIntact(const fs::path& folder) {

@@ -4,18 +4,16 @@
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
-#include <set>
-#include <string>
+
+#include "cli/common/staging.h"
 
 namespace hemitex::cli {
 
 /// The SHA-256 of each file below a folder, by its name relative to the folder; null for files with times in them
 /// (report.html, and solution.json of frames).
 nlohmann::ordered_json fileHashes(const std::filesystem::path& folder);
-
-/// The files that the solution.json of a folder names, itself included; none if the folder has none that is valid.
-/// Names that lead out of the folder are left out.
-std::set<std::string> filesOfSolution(const std::filesystem::path& folder);
+/// The same for the files of a result that is not moved yet.
+nlohmann::ordered_json fileHashes(Staging& staging);
 
 /// Throws InputError if a file that the solution.json of a folder names is missing or has another hash.
 void requireIntact(const std::filesystem::path& folder);

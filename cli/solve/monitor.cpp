@@ -43,8 +43,8 @@ std::optional<double> secondsLeft(const radiosity::SolverSettings& settings, int
 }  // namespace
 
 Monitor::Monitor(Console& console, const LongRunOptions& options, const radiosity::Scene& scene,
-                 const std::string& settings)
-    : console_(console), isForPrograms_(options.isForPrograms), checkpoint_(options, scene, settings) {}
+                 const std::string& settings, const std::set<std::filesystem::path>& inputs)
+    : console_(console), isForPrograms_(options.isForPrograms), checkpoint_(options, scene, settings, inputs) {}
 
 radiosity::Progress Monitor::progressOf(const radiosity::SolverSettings& settings, Convergence& convergence) {
   return [this, &settings, &convergence, watch = reference::Stopwatch()](const radiosity::Step& step) {
@@ -69,7 +69,7 @@ void Monitor::show(const radiosity::SolverSettings& settings, const radiosity::S
   if (isForPrograms_) {
     const nlohmann::ordered_json line = {
         {"shots", step.shots}, {"residual", step.residual}, {"shots_per_s", rate}, {"left_s", orNull(left)}};
-    console_.machineLine(line.dump());
+    console_.machineLine(toLine(line));
     return;
   }
   const double fraction = settings.shots ? static_cast<double>(step.shots) / *settings.shots

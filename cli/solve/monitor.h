@@ -17,7 +17,8 @@ namespace hemitex::cli {
 class Monitor {
  public:
   /// `console` must outlive this object. See Checkpoint for the other arguments and for errors.
-  Monitor(Console& console, const LongRunOptions& options, const radiosity::Scene& scene, const std::string& settings);
+  Monitor(Console& console, const LongRunOptions& options, const radiosity::Scene& scene, const std::string& settings,
+          const std::set<std::filesystem::path>& inputs = {});
 
   Console& console() { return console_; }
 

@@ -131,6 +131,7 @@ void addTextureOptions(Command command, SolveOptions& options) {
              "surface has at least 128 texels along its longer side, and all have at most 2^26)");
 }
 
+/// The option of all commands, which the help of this one shows, too.
 void addInsist(Command command, bool& insists) {
   command.under("Accuracy and memory")
       .addFlag("--insist", insists,
@@ -163,7 +164,7 @@ void addEdits(Command command, std::filesystem::path& edits) {
 
 void addLongRunOptions(Command command, LongRunOptions& longRun) {
   command = command.under("Long runs");
-  const Option checkpoint = command.addPath(
+  const Option checkpoint = command.addOutputFile(
       "--checkpoint", longRun.checkpoint,
       "store the solution in this file from time to time, and after a signal that stops the run", "FILE");
   const Option resume = command.addPath("--resume", longRun.resume,
@@ -201,7 +202,7 @@ void validateFilter(const SolveOptions& options) {
 
 }  // namespace
 
-void addSolveOptions(Command command, SolveOptions& options) {
+void addSolveOptions(Command command, SolveOptions& options, Context& context) {
   addOutput(command.under("Output"), options.output, "write the lit scene into this folder");
   command.under("Output").addFlag("--report", options.report,
                                   "also write report.html, which shows the lit scene in 3-D, where the flux went, the "
@@ -217,7 +218,7 @@ void addSolveOptions(Command command, SolveOptions& options) {
   addIdOptions(command, options.id);
   addSolverOptions(command, options);
   addChosenSettings(command, options);
-  addInsist(command, options.insists);
+  addInsist(command, context.insists);
   addTextureOptions(command, options);
   addOmissions(command, options);
   addCameraOptions(command, options.camera);

@@ -75,7 +75,7 @@ ordered_json writeFrame(const std::filesystem::path& folder, std::size_t number,
   text["times"] = laps.times();
   text["warnings"] = warningsOf(solved.solution);
   text["files"] = fileHashes(folder / name);
-  raster::writeFile(folder / name / "solution.json", toText(text));
+  raster::writeFile(folder / name / solutionName, toText(text));
   return {{"folder", name},
           {"edits", frame.written},
           {"shots", solved.solution.shots},
@@ -100,23 +100,13 @@ void tellStop(const SolveOptions& options, int shots, Console& console) {
                                 : "the same command with --resume " + shellQuoted(file) + " goes on"));
 }
 
-/// The files of an earlier solution in the folder that this one does not write. The page of an earlier solution would
-/// show what the folder no longer holds, even if that solution.json names no files.
-std::set<std::string> staleFiles(const std::filesystem::path& folder) {
-  std::set<std::string> files = filesOfSolution(folder);
-  files.insert("report.html");
-  return files;
-}
-
-/// All files that were read: the scene with its materials and images, the camera, the lights, the edits and what they
-/// add.
-std::set<std::filesystem::path> inputFiles(const SolveOptions& options, const radiosity::Scene& scene,
-                                           const std::vector<Frame>& frames) {
-  std::set<std::filesystem::path> files(scene.files.begin(), scene.files.end());
+/// All files that were read: those of the command line, the scene with its materials and images, the camera, and what
+/// edits add.
+std::set<std::filesystem::path> inputFiles(const SolveOptions& options, const Context& context,
+                                           const radiosity::Scene& scene, const std::vector<Frame>& frames) {
+  std::set<std::filesystem::path> files = context.inputs(scene.files);
   for (const Frame& frame : frames) files.insert(frame.files.begin(), frame.files.end());
-  files.insert({viewFileOf(options.scene.file), options.scene.materials.lightsFile, options.edits, options.matrix,
-                options.bands});
-  files.erase(std::filesystem::path());
+  files.insert(viewFileOf(options.scene.file));
   return files;
 }
 
@@ -136,7 +126,7 @@ bool writeFrames(const std::filesystem::path& folder, const std::vector<Frame>& 
                  SolveResult& result, Monitor& monitor, ordered_json& text) {
   const SolveOptions& options = result.options;
   const auto layOut = [&](const radiosity::Discretization& edited) {
-    return layoutOf(options.id, edited, monitor.console());
+    return layoutOf(options.id, edited);
   };
   radiosity::DynamicSolution dynamic(first.scene, std::move(result.discretization), std::move(result.solution),
                                      {options.discretization, options.drawing, options.solver}, layOut);
@@ -181,9 +171,9 @@ ordered_json writeResult(const radiosity::Scene& scene, const radiosity::Camera&
   text["times"] = laps.times();
   text["warnings"] = console.given();
   if (shown) raster::writeFile(staging.folder() / "report.html", solvedPage(*shown, text));
-  text["files"] = fileHashes(staging.folder());
-  raster::writeFile(staging.folder() / "solution.json", toText(text));
-  staging.commit("solution.json", staleFiles(options.output));
+  text["files"] = fileHashes(staging);
+  raster::writeFile(staging.folder() / solutionName, toText(text));
+  staging.commit(solutionName, staging.earlierFiles());
   return text;
 }
 
@@ -220,11 +210,12 @@ void solve(SolveOptions asked, Context& context) {
   const std::vector<Frame> frames =
       asked.edits.empty() ? std::vector<Frame>() : readEdits(asked.edits, scene, asked.scene.settings);
   laps.lap("load_s");
-  if (!asked.insists) requireAffordable(runSize(scene, asked), freeMemory());
-  Staging staging(asked.output);
+  requireMemoryOfRun(scene, asked);
+  const std::set<std::filesystem::path> inputs = inputFiles(asked, context, scene, frames);
+  Staging staging({.place = asked.output, .writer = solveWriter, .inputs = inputs});
   radiosity::Discretization unsplit = discretizationOf(asked.discretization, scene);
-  staging.requirePlaces(outputNames(asked, scene, unsplit, frames.size()), inputFiles(asked, scene, frames));
-  Monitor monitor(console, asked.longRun, scene, toText(solutionSettings(asked)));
+  staging.requirePlaces(outputNames(asked, scene, unsplit, frames.size()));
+  Monitor monitor(console, asked.longRun, scene, toText(solutionSettings(asked)), inputs);
   laps.lap("discretize_s");
   SolveResult result = bands ? solveBands(asked, *bands, std::move(unsplit), monitor)
                              : solveScene(asked, scene, camera, std::move(unsplit), monitor);
@@ -246,7 +237,7 @@ void solve(SolveOptions asked, Context& context) {
 void addSolve(Command program, Context& context) {
   const auto options = std::make_shared<SolveOptions>();
   const Command command = program.addCommand("solve", "Compute the light of a scene by progressive radiosity");
-  addSolveOptions(command, *options);
+  addSolveOptions(command, *options, context);
   command.addExamples(
       {"data/cornell-box.obj -o lit --report", "house.obj -o lit --sky 1,1,1.2 --sun 1,3,2=4,4,3.5 --max-error 0.02"});
   command.onRead([options, command, &context] {

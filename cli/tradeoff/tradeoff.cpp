@@ -141,8 +141,8 @@ void measure(const TradeoffOptions& options, Context& context) {
   if (radiosity::brightest(scene.outside) > 0)
     throw raster::InputError("tradeoff does not measure light from outside", "omit --sky and --sun");
   const radiosity::Camera camera = cameraOf({}, scene, options.scene.file);
-  Staging staging(options.output);
-  staging.requirePlaces({"tradeoff.csv", "tradeoff.json", "report.html"}, {scene.files.begin(), scene.files.end()});
+  Staging staging({.place = options.output, .writer = "tradeoff", .inputs = context.inputs(scene.files)});
+  staging.requirePlaces({"tradeoff.csv", "tradeoff.json", "report.html"});
   const int finest = *std::max_element(options.texels.begin(), options.texels.end());
   const radiosity::Discretization fine =
       radiosity::discretize(scene, {.texels = finest, .patch = options.patches.front()});

@@ -5,6 +5,7 @@
 
 #include "cli/common/commands.h"
 #include "cli/common/json.h"
+#include "cli/common/staging.h"
 #include "cli/common/table.h"
 #include "cli/vector/vector_output.h"
 #include "raster/base/file_io.h"
@@ -26,7 +27,7 @@ struct CalibrateOptions {
 void writeProbes(const filesystem::path& folder, const Context& context) {
   const std::vector<reference::TestVector> vectors = vectorsOf(reference::makeProbes());
   writeVectors(
-      folder, vectors.size(), [&vectors](std::size_t k) { return vectors[k]; }, false, context);
+      folder, "vector calibrate", vectors.size(), [&vectors](std::size_t k) { return vectors[k]; }, false, context);
 }
 
 /// A profile follows only from item buffers for the probes of this program version.
@@ -38,6 +39,8 @@ void requireSame(const filesystem::path& folder, const reference::TestVector& pr
 }
 
 void calibrateDevice(const CalibrateOptions& options, Context& context) {
+  Staging staging({Output::Kind::File, options.output, "vector calibrate", context.inputs()});
+  staging.requirePlaces({options.output.filename()});
   const reference::ProbingSet probes = reference::makeProbes();
   std::vector<raster::ItemBuffer> answers;
   for (const reference::TestVector& probe : vectorsOf(probes)) {
@@ -47,7 +50,10 @@ void calibrateDevice(const CalibrateOptions& options, Context& context) {
   const reference::Calibration calibration = reference::calibrate(probes, answers);
   context.failed = !calibration.faults.empty();
   const Json profile = toJson(calibration.profile);
-  if (!context.failed) raster::writeFile(options.output, toText(profile));
+  if (!context.failed) {
+    raster::writeFile(staging.file(), toText(profile));
+    staging.commit();
+  }
   if (context.json) {
     std::cout << toText({{"profile", context.failed ? Json() : profile}, {"faults", calibration.faults}});
   } else if (context.failed) {
@@ -65,11 +71,12 @@ void calibrateDevice(const CalibrateOptions& options, Context& context) {
 void addVectorCalibrate(Command vector, Context& context) {
   const auto options = std::make_shared<CalibrateOptions>();
   const Command command = vector.addCommand("calibrate", "Measure the profile of a device, for vector check --profile");
-  const Option probes = command.addPath("--probes", options->probes, "write the probing vectors into this folder");
+  const Option probes =
+      command.addOutputFolder("--probes", options->probes, "write the probing vectors into this folder");
   const Option folder =
       command.addPath("DIR", options->vectors, "folder of the probing vectors, written with --probes");
   const Option candidate = command.addPath("--candidate", options->candidate, "folder with the device's item IDs");
-  const Option output = command.addPath("-o,--output", options->output, "write the profile into this JSON file");
+  const Option output = command.addOutputFile("-o,--output", options->output, "write the profile into this JSON file");
   folder.needs(candidate).needs(output).excludes(probes);
   candidate.needs(folder);
   output.needs(folder);

@@ -20,6 +20,7 @@ void check(const CheckOptions& options, Context& context) {
   if (!std::filesystem::is_directory(options.candidate))
     throw raster::InputError(options.candidate.string(), 0, "is not a folder",
                              "name the folder with the device's item IDs");
+  JudgingFiles files(options.judging, context);
   const reference::DeviceProfile profile = profileOf(options.judging);
   const auto reports = makeAll<reference::Report>(suite.vectors.size(), [&](std::size_t k) {
     const SuiteVector& vector = suite.vectors[k];
@@ -29,7 +30,7 @@ void check(const CheckOptions& options, Context& context) {
     const reference::MinimalFailure failure = minimize(vector.vector, report.verdict, profile);
     return {failure.vector, {failure.expected}, {failure.found}};
   };
-  writeResults(options.judging, suite, reports, minimal, context);
+  writeResults(options.judging, files, suite, reports, minimal, context);
 }
 
 }  // namespace

@@ -5,7 +5,6 @@
 #include <iostream>
 
 #include "cli/common/json.h"
-#include "cli/common/staging.h"
 #include "cli/common/table.h"
 #include "raster/base/file_io.h"
 #include "reference/conformance/calibration/device_class.h"
@@ -141,8 +140,7 @@ nlohmann::ordered_json withSuggestion(nlohmann::ordered_json json, const std::op
 }
 
 /// Writes the vector, and in `candidate` the device's item IDs.
-void writeSmall(const fs::path& folder, const SmallFailure& small) {
-  Staging staging(folder);
+void writeSmall(Staging& staging, const SmallFailure& small) {
   reference::writeVector(staging.folder(), small.vector, small.expected);
   if (!small.found.empty()) {
     fs::create_directory(staging.folder() / "candidate");
@@ -174,7 +172,8 @@ std::optional<std::size_t> firstOf(const std::vector<Report>& reports, const std
 }
 
 /// Writes the picture of the first vector with unexpected errors, else with errors, else with item buffers.
-void writePicture(const JudgingOptions& options, const Suite& suite, const std::vector<Report>& reports) {
+void writePicture(const fs::path& file, const JudgingOptions& options, const Suite& suite,
+                  const std::vector<Report>& reports) {
   const auto hasWrongPixels = [](const Report& report) { return hasErrors(report.verdict); };
   const auto isUnexpected = [&](const Report& report) {
     return hasWrongPixels(report) && isFailure(report, options.isStrict);
@@ -182,28 +181,43 @@ void writePicture(const JudgingOptions& options, const Suite& suite, const std::
   const auto isJudged = [](const Report& report) { return !report.verdict.faces.empty(); };
   const auto shown = firstOf(reports, {isUnexpected, hasWrongPixels, isJudged});
   if (shown)
-    radiosity::writePng(options.picture, toPicture(reports[*shown].verdict,
-                                                   raster::backgroundId(suite.vectors[*shown].vector.list.format)));
+    radiosity::writePng(
+        file, toPicture(reports[*shown].verdict, raster::backgroundId(suite.vectors[*shown].vector.list.format)));
 }
 
 /// Minimizes the first vector that fails unexpectedly, else the first that fails.
-void writeMinimal(const JudgingOptions& options, const Suite& suite, const std::vector<Report>& reports,
-                  const Minimizer& minimize) {
+void writeMinimal(Staging& staging, const JudgingOptions& options, const Suite& suite,
+                  const std::vector<Report>& reports, const Minimizer& minimize) {
   const auto fails = [](const Report& report) { return hasErrors(report.verdict) || report.device; };
   const auto isUnexpected = [&](const Report& report) { return fails(report) && isFailure(report, options.isStrict); };
   if (const auto failing = firstOf(reports, {isUnexpected, fails}))
-    writeSmall(options.minimal, minimize(suite.vectors[*failing], reports[*failing]));
+    writeSmall(staging, minimize(suite.vectors[*failing], reports[*failing]));
 }
 
-void writeFiles(const JudgingOptions& options, const Suite& suite, const std::vector<Report>& reports,
-                const Minimizer& minimize) {
-  if (!options.junit.empty()) raster::writeFile(options.junit, toJUnit(reports, options.isStrict));
-  if (!options.record.empty()) raster::writeFile(options.record, toJson(recordOf(options, suite, reports)));
-  if (!options.picture.empty()) writePicture(options, suite, reports);
-  if (!options.minimal.empty()) writeMinimal(options, suite, reports, minimize);
+void writeFiles(const JudgingOptions& options, JudgingFiles& files, const Suite& suite,
+                const std::vector<Report>& reports, const Minimizer& minimize) {
+  if (files.junit) raster::writeFile(files.junit->file(), toJUnit(reports, options.isStrict));
+  if (files.record) raster::writeFile(files.record->file(), toJson(recordOf(options, suite, reports)));
+  if (files.picture) writePicture(files.picture->file(), options, suite, reports);
+  if (files.minimal) writeMinimal(*files.minimal, options, suite, reports, minimize);
+  for (std::optional<Staging>* file : {&files.junit, &files.record, &files.picture})
+    if (*file) (*file)->commit();
 }
 
 }  // namespace
+
+JudgingFiles::JudgingFiles(const JudgingOptions& options, const Context& context) {
+  const auto open = [&](std::optional<Staging>& staging, const fs::path& file, const std::string& option) {
+    if (file.empty()) return;
+    staging.emplace(Output{Output::Kind::File, file, "vector check " + option, context.inputs()});
+    staging->requirePlaces({file.filename()});
+  };
+  open(junit, options.junit, "--junit");
+  open(record, options.record, "--record");
+  open(picture, options.picture, "--diff");
+  if (!options.minimal.empty())
+    minimal.emplace(Output{.place = options.minimal, .writer = "vector check", .inputs = context.inputs()});
+}
 
 void addJudgingOptions(Command command, JudgingOptions& options) {
   command.addPath("DIR", options.suite, "folder of the vector, or of a suite of vectors").required();
@@ -219,16 +233,18 @@ void addJudgingOptions(Command command, JudgingOptions& options) {
                     "expected results: lines NAME fail|unsupported|flaky REASON (default: all vectors pass)");
   rules.addFlag("--strict", options.isStrict, "fail when a vector passes that is expected to fail").needs(expectations);
   const Command files = command.under("Files");
-  files.addPath("--junit", options.junit,
-                "write a JUnit XML file with one test suite per vector and one test case per face");
-  files.addPath(
+  files.addOutputFile("--junit", options.junit,
+                      "write a JUnit XML file with one test suite per vector and one test case per face");
+  files.addOutputFile(
       "--diff", options.picture,
       "write a PNG file with expected, found and verdict side by side; for a suite, of the first failing vector");
-  files.addPath("--minimize", options.minimal,
-                "write a vector that fails with as few triangles and pixels as possible into this folder; for a "
-                "suite, from the first "
-                "failing vector");
-  const Option record = files.addPath("--record", options.record, "write a conformance record into this JSON file");
+  files.addOutputFolder(
+      "--minimize", options.minimal,
+      "write a vector that fails with as few triangles and pixels as possible into this folder; for a "
+      "suite, from the first "
+      "failing vector");
+  const Option record =
+      files.addOutputFile("--record", options.record, "write a conformance record into this JSON file");
   const Option device = files.addText("--device-name", "NAME", "the device, for the record", options.device);
   const Option driver = files.addText("--driver", "NAME", "its driver and version, for the record", options.driver);
   record.needs(device).needs(driver);
@@ -278,12 +294,12 @@ Report judgeAnswer(const JudgingOptions& options, const reference::DeviceProfile
   return report;
 }
 
-void writeResults(const JudgingOptions& options, const Suite& suite, const std::vector<Report>& reports,
-                  const Minimizer& minimize, Context& context) {
+void writeResults(const JudgingOptions& options, JudgingFiles& files, const Suite& suite,
+                  const std::vector<Report>& reports, const Minimizer& minimize, Context& context) {
   const bool hasFailure =
       std::any_of(reports.begin(), reports.end(), [&](const Report& r) { return isFailure(r, options.isStrict); });
   context.failed = hasFailure || checkReference(reports).differing > 0;
-  writeFiles(options, suite, reports, minimize);
+  writeFiles(options, files, suite, reports, minimize);
   const std::optional<reference::DeviceClass> guess = suggestionFor(options, suite, reports);
   if (context.json) {
     const auto results = suite.isSingle ? toJson(reports.front()) : reference::toJson(reports, options.isStrict);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "cli/common/options.h"
+#include "cli/common/staging.h"
 #include "raster/base/parallel.h"
 #include "reference/conformance/diagnosis/verdict_report.h"
 
@@ -77,8 +78,15 @@ struct SmallFailure {
 };
 using Minimizer = std::function<SmallFailure(const SuiteVector&, const reference::Report&)>;
 
+/// The files that were asked for. Throws InputError for one that cannot be written, before the work.
+struct JudgingFiles {
+  JudgingFiles(const JudgingOptions& options, const Context& context);
+
+  std::optional<Staging> junit, record, picture, minimal;
+};
+
 /// Writes the requested files, prints the results, and sets `context.failed` if a result is not as expected.
-void writeResults(const JudgingOptions& options, const Suite& suite, const std::vector<reference::Report>& reports,
-                  const Minimizer& minimize, Context& context);
+void writeResults(const JudgingOptions& options, JudgingFiles& files, const Suite& suite,
+                  const std::vector<reference::Report>& reports, const Minimizer& minimize, Context& context);
 
 }  // namespace hemitex::cli

@@ -23,7 +23,7 @@ void writeRandom(const RandomOptions& options, const Context& context) {
     return options.family.empty() ? reference::interleavedRandomVector(seed, k)
                                   : reference::randomVector(seed + k, options.family);
   };
-  writeVectors(options.output, static_cast<std::size_t>(options.count), vectorAt, true, context);
+  writeVectors(options.output, "vector random", static_cast<std::size_t>(options.count), vectorAt, true, context);
 }
 
 std::string familyNames() {

@@ -16,11 +16,23 @@ struct RenderOptions {
   bool stages = false;
 };
 
+/// The files of the vector, if it is rendered in place.
+std::set<std::string> ownFiles(const RenderOptions& options) {
+  std::set<std::string> names;
+  std::error_code isOther;
+  if (!std::filesystem::equivalent(options.input, options.output, isOther)) return names;
+  for (const std::filesystem::directory_entry& entry : std::filesystem::directory_iterator(options.input))
+    if (const auto type = entry.path().extension(); type == ".f32" || type == ".u32")
+      names.insert(entry.path().filename());
+  names.insert("vector.json");
+  return names;
+}
+
 void renderVector(const RenderOptions& options, const Context& context) {
   reference::TestVector vector = reference::readVector(options.input);
   const std::vector<raster::ItemBuffer> buffers = render(*makeRenderer(vector.list, options.device), facesOf(vector));
   for (std::size_t f = 0; f < buffers.size(); ++f) vector.faces[f].hash = reference::idsHash(buffers[f].ids);
-  Staging staging(options.output);
+  Staging staging({.place = options.output, .writer = "vector render", .replaced = ownFiles(options)});
   reference::writeVector(staging.folder(), vector, buffers);
   if (options.stages) reference::writeStages(staging.folder(), vector);
   staging.commit();

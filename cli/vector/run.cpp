@@ -64,7 +64,8 @@ std::optional<DeviceFailure> checkFiles(const reference::TestVector& vector, con
                                         const reference::ProcessResult& process) {
   for (const reference::VectorFace& face : vector.faces) {
     const fs::path file = folder / face.ids;
-    if (!fs::is_regular_file(file)) return DeviceFailure{DeviceFault::MissingFile, face.ids + " is missing", process};
+    if (!fs::is_regular_file(fs::symlink_status(file)))
+      return DeviceFailure{DeviceFault::MissingFile, face.ids + " is missing", process};
     const auto width = static_cast<std::size_t>(face.face.scissor.width),
                height = static_cast<std::size_t>(face.face.scissor.height);
     const std::size_t bytes = width * height * sizeof(raster::ItemId);
@@ -209,11 +210,12 @@ std::set<std::string> filesToRemove(const Suite& suite, const fs::path& output) 
 void run(const RunOptions& options, Context& context) {
   const Suite suite = readSuite(options.judging);
   refuseToReplace(suite, options.output);
+  JudgingFiles files(options.judging, context);
   const LongRun stopsPrograms;
   std::signal(SIGCHLD, SIG_DFL);  // a parent may have ignored it, and then no exit code arrives
   std::vector<reference::Report> reports;
   {
-    Staging staging(options.output);
+    Staging staging({.place = options.output, .writer = "vector run", .inputs = context.inputs()});
     const std::vector<Drawing> drawings = drawAll(options, suite, staging.folder());
     if (!LongRun::isStopping()) {
       reports = judgeAll(options.judging, suite, staging.folder(), drawings);
@@ -224,7 +226,7 @@ void run(const RunOptions& options, Context& context) {
   const auto minimize = [&](const SuiteVector& vector, const reference::Report& report) {
     return minimizeOnDevice(options, vector, report);
   };
-  writeResults(options.judging, suite, reports, minimize, context);
+  writeResults(options.judging, files, suite, reports, minimize, context);
 }
 
 }  // namespace

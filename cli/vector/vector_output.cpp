@@ -23,19 +23,20 @@ void printFaces(const reference::TestVector& vector, const Context& context) {
     writeCsv(std::cout, tableOf(faces));
 }
 
-void writeVectors(const std::filesystem::path& folder, std::size_t count,
+void writeVectors(const std::filesystem::path& folder, const std::string& writer, std::size_t count,
                   const std::function<reference::TestVector(std::size_t)>& vectorAt, bool withIds,
                   const Context& context) {
+  Staging staging({.place = folder, .writer = writer});
   ordered_json vectors = ordered_json::array();
   for (std::size_t k = 0; k < count; ++k) {
     const reference::TestVector vector = vectorAt(k);
     const auto buffers = withIds ? reference::render(vector) : std::vector<raster::ItemBuffer>();
-    Staging staging(folder / vector.name);
-    reference::writeVector(staging.folder(), vector, buffers);
-    staging.commit();
+    std::filesystem::create_directory(staging.folder() / vector.name);
+    reference::writeVector(staging.folder() / vector.name, vector, buffers);
     vectors.push_back({{"name", vector.name}, {"catches", vector.catches}});
     if (withIds) vectors.back()["hash"] = reference::idsHash(buffers);
   }
+  staging.commit();
   if (context.json)
     std::cout << toText({{"vectors", vectors}});
   else

@@ -12,9 +12,9 @@ namespace hemitex::cli {
 /// Prints the names, sizes and hashes of the faces.
 void printFaces(const reference::TestVector& vector, const Context& context);
 
-/// Writes vectors, one folder each, and prints their names and what they catch. `withIds` also writes their item IDs
-/// and prints the hashes of these.
-void writeVectors(const std::filesystem::path& folder, std::size_t count,
+/// Writes vectors, one folder each, and prints their names and what they catch. `writer` is the command (see Output).
+/// `withIds` also writes their item IDs and prints the hashes of these.
+void writeVectors(const std::filesystem::path& folder, const std::string& writer, std::size_t count,
                   const std::function<reference::TestVector(std::size_t)>& vectorAt, bool withIds,
                   const Context& context);
 

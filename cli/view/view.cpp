@@ -28,13 +28,12 @@ std::string pageOf(const fs::path& solved) {
   const fs::path sceneFile = solved / "scene.obj";
   const std::string text = raster::readFile(solved / "solution.json");
   radiosity::Scene lit = radiosity::loadScene(sceneFile, {});
+  const auto solution = reference::parseJson<ordered_json>(text, (solved / "solution.json").string());
   try {
-    const ordered_json solution = reference::parseJson<ordered_json>(text);
     const std::vector<std::uint32_t> numbers = restoreSurfaces(lit, solution.at("surfaces"));
     return solvedPage({solved / "scene.glb", std::move(lit), numbers}, solution);
-  } catch (const std::exception& error) {
-    throw raster::InputError((solved / "solution.json").string(), 0,
-                             std::string("does not belong to the scene beside it: ") + error.what(),
+  } catch (const std::exception&) {
+    throw raster::InputError((solved / "solution.json").string(), 0, "does not belong to the scene beside it",
                              "solve the scene again with --report");
   }
 }
@@ -46,7 +45,7 @@ void writePage(const fs::path& folder) {
       throw raster::InputError(folder.string(), 0, std::string("has neither ") + pageName + " nor " + name,
                                "solve a scene into this folder with --report");
   requireIntact(folder);
-  Staging staging(folder);
+  Staging staging({.place = folder, .writer = solveWriter});
   raster::writeFile(staging.folder() / pageName, pageOf(folder));
   staging.commit();
 }

@@ -69,7 +69,9 @@ std::string textOf(const Round& round) {
 /// The solution of the files as they were read last.
 class WatchedSolution {
  public:
-  WatchedSolution(const SolveOptions& asked, Console& console) : asked_(asked), options_(asked), console_(console) {}
+  /// `inputs` are the files of the command line.
+  WatchedSolution(const SolveOptions& asked, const std::set<fs::path>& inputs, Console& console)
+      : asked_(asked), options_(asked), inputs_(inputs), console_(console) {}
 
   /// The files that were read, or that could be, as they were then.
   const WatchedFiles& files() const { return watched_; }
@@ -105,8 +107,8 @@ class WatchedSolution {
   /// Writes watch.js: the state (`shown`, `solving`, `failed` or `ended`), and what is wrong with the scene.
   void tell(const std::string& state, const std::string& problem = "") const {
     const ordered_json news = {{"version", version_}, {"state", state}, {"problem", problem}};
-    Staging staging(asked_.output, FolderUse::SeveralRuns);
-    raster::writeFile(staging.folder() / scriptName, "hemitexWatch(" + toText(news) + ");\n");
+    Staging staging({Output::Kind::File, asked_.output / scriptName, "watch", {}});
+    raster::writeFile(staging.file(), "hemitexWatch(" + toText(news) + ");\n");
     staging.commit();
   }
 
@@ -127,25 +129,22 @@ class WatchedSolution {
   void solve(radiosity::Scene scene) {
     SolveOptions options = asked_;
     options.solver.residual = options.residual.value_or(radiosity::defaultResidual(scene));
-    if (!options.insists) requireAffordable(runSize(scene, options), freeMemory());
+    requireMemoryOfRun(scene, options);
     radiosity::Discretization unsplit = discretizationOf(options.discretization, scene);
-    Staging(options.output).requirePlaces(placesOf(options, scene, unsplit), files_);
+    Staging(output()).requirePlaces(outputNames(options, scene, unsplit, 0));
     Monitor monitor(console_, {}, scene, {});
     SolveResult result = solveScene(options, scene, camera_, std::move(unsplit), monitor);
     options_ = result.options;
     convergence_ = std::move(result.convergence);
-    const auto layOut = [this](const radiosity::Discretization& edited) {
-      return layoutOf(options_.id, edited, console_);
-    };
+    const auto layOut = [this](const radiosity::Discretization& edited) { return layoutOf(options_.id, edited); };
     dynamic_.emplace(std::move(scene), std::move(result.discretization), std::move(result.solution),
                      radiosity::DynamicSettings{options_.discretization, options_.drawing, options_.solver}, layOut);
   }
 
-  static std::set<std::string> placesOf(const SolveOptions& options, const radiosity::Scene& scene,
-                                        const radiosity::Discretization& discretization) {
-    std::set<std::string> names = outputNames(options, scene, discretization, 0);
-    names.insert(scriptName);
-    return names;
+  Output output() const {
+    Output output{.place = asked_.output, .writer = solveWriter, .inputs = inputs_};
+    output.inputs.insert(files_.begin(), files_.end());
+    return output;
   }
 
   /// Writes the folder. All updates of a solution are shown with its exposure, so that brighter light looks brighter.
@@ -154,7 +153,7 @@ class WatchedSolution {
         options_, camera_, dynamic_->scene(), dynamic_->discretization(), dynamic_->layout(), dynamic_->solution()};
     options_.camera.exposure = exposureOf(solved);
     std::optional<radiosity::LitScene> lit = litScene(solved);
-    Staging staging(options_.output);
+    Staging staging(output());
     tellNew(writeSolved(staging.folder(), solved, lit));
     tellNew(warningsOf(solved.solution));
     ordered_json text = description(solved, lit);
@@ -170,13 +169,14 @@ class WatchedSolution {
     raster::writeFile(
         staging.folder() / pageName,
         solvedPage({.glb = glb, .scene = std::move(lit->scene), .surfaceOf = surfaces, .version = version_}, text));
-    text["files"] = fileHashes(staging.folder());
-    raster::writeFile(staging.folder() / "solution.json", toText(text));
-    staging.commit("solution.json", filesOfSolution(options_.output));
+    text["files"] = fileHashes(staging);
+    raster::writeFile(staging.folder() / solutionName, toText(text));
+    staging.commit(solutionName, staging.earlierFiles());
     tell("shown");
   }
 
   SolveOptions asked_, options_;  ///< as given; and with chosen settings and the exposure of the last new solution
+  std::set<fs::path> inputs_;
   Console& console_;
   std::set<fs::path> files_;
   WatchedFiles watched_;
@@ -190,7 +190,7 @@ void print(const Round& round, const std::string& reason, const Context& context
   if (context.json) {
     ordered_json line = {{"changed", reason}};
     line.update(toJson(round));
-    std::cout << line.dump() << std::endl;
+    std::cout << toLine(line) << std::endl;
   } else if (context.console.verbosity != Verbosity::Quiet) {
     std::cout << (reason.empty() ? "" : reason + " changed: ") << textOf(round) << std::endl;
   }
@@ -221,7 +221,7 @@ void requireUpdatable(Command command, const SolveOptions& options) {
 
 void watch(const WatchOptions& options, Context& context) {
   const LongRun untilSignal;
-  WatchedSolution solution(options.solve, context.console);
+  WatchedSolution solution(options.solve, context.inputs(), context.console);
   const Round first = solution.follow();
   if (isStopping()) return;
   print(first, "", context);
@@ -241,7 +241,7 @@ void addWatch(Command program, Context& context) {
   const auto options = std::make_shared<WatchOptions>();
   const Command command =
       program.addCommand("watch", "Solve a scene again whenever it is saved, and show it in the browser");
-  addSolveOptions(command, options->solve);
+  addSolveOptions(command, options->solve, context);
   command.under("Output").addFlag("--view", options->view, "open the page in the browser ($BROWSER, else xdg-open)");
   command.addExamples({"house.obj -o lit --view", "data/furnished-room.obj -o lit --view --residual 0.01"});
   command.onRead([options, command, &context] {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <utility>
 
 #include "radiosity/solver/loss_warning.h"
@@ -109,7 +110,7 @@ Solution shoot(const SolveInput& input, ShootingState& state, RowCache& rows, co
 void splitAgain(SolveInput& input, const Snapshot& snapshot) {
   Patches& patches = input.patches;
   for (const SplitCall& call : snapshot.splits) {
-    if (!input.split || call.patch >= patches.list.size())
+    if (!input.split || call.patch >= patches.list.size() || !(call.weight >= 0) || std::isinf(call.weight))
       throw raster::InputError("the stored solution splits other patches");
     const auto number = static_cast<std::uint32_t>(call.patch);
     replacePatch(patches, number, input.split(patches, patches.list[number], call.weight));
@@ -118,6 +119,24 @@ void splitAgain(SolveInput& input, const Snapshot& snapshot) {
   const SavedShots& state = snapshot.state;
   if (state.shot.size() != count || state.unshot.size() != count || state.received.size() != elements)
     throw raster::InputError("the stored solution has another number of patches or elements");
+}
+
+bool areFluxes(const std::vector<glm::dvec3>& values) {
+  return std::all_of(values.begin(), values.end(),
+                     [](const glm::dvec3& flux) { return flux.x >= 0 && flux.y >= 0 && flux.z >= 0; });
+}
+
+/// Throws InputError for a stored solution with values that no solution of the scene has: negative flux, or flux that
+/// came from nowhere.
+void requireBalanced(const ShootingState& state, const Snapshot& snapshot) {
+  constexpr double tolerance = 1e-6;  // sums of a solution balance to 1e-12
+  const Energy energy = state.energy();
+  const double emitted = bandSum(energy.emitted);
+  const double missing = bandSum(glm::abs(energy.emitted - energy.absorbed - energy.unshot - energy.lost));
+  const bool areSizes = snapshot.shots >= 0 && snapshot.absorbedByBacks.size() <= state.patches().list.size();
+  if (!areSizes || !(missing <= tolerance * emitted) || !areFluxes(snapshot.state.shot) ||
+      !areFluxes(snapshot.state.received) || !areFluxes(snapshot.state.unshot) || !areFluxes(snapshot.absorbedByBacks))
+    throw raster::InputError("the stored solution does not balance: it is not one of this scene");
 }
 
 /// Completes a solution with its account of flux and its patches.
@@ -152,6 +171,7 @@ Solution solve(SolveInput input, const Progress& progress) {
       input.snapshot
           ? ShootingState(scene, discretization, std::move(input.patches), std::move(input.outside), past.state)
           : ShootingState(scene, discretization, std::move(input.patches), std::move(nothing));
+  if (input.snapshot) requireBalanced(state, past);
   const std::size_t bytes = input.settings.rowCacheBytes;
   KeptRows rows{RowCache(input.isContinued ? bytes / 2 : bytes), RowCache(bytes / 2)};
   Solution solution = shoot(input, state, input.rows != nullptr ? *input.rows : rows.ofPatches, progress, past);

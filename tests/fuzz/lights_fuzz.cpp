@@ -14,7 +14,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   return fuzz::ignoringInputErrors([&] {
     CLI::App app;
     cli::MaterialOptions options;
-    cli::addMaterialOptions(cli::Command(app), options);
+    cli::PathOptions paths;
+    cli::addMaterialOptions(cli::Command(app, paths), options);
     app.parse("--lights " + path.string());
     cli::withMaterials(scene, options, {});
   });

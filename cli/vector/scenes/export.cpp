@@ -38,7 +38,7 @@ constexpr std::array<const char*, 5> faceNames = {"top", "side-right", "side-up"
 reference::TestVector vectorOf(const ExportOptions& options, Console& console) {
   const radiosity::Scene scene = sceneOf(options.scene, console);
   const radiosity::Discretization discretization = discretizationOf(options.discretization, scene);
-  const radiosity::IdLayout layout = layoutOf(options.id, discretization, console);
+  const radiosity::IdLayout layout = shownLayoutOf(options.id, discretization, console);
   const double length = glm::length(options.normal);
   if (!(length > 0) || !std::isfinite(length))
     throw raster::InputError("--normal has no direction; give a vector that is not zero");
@@ -63,8 +63,8 @@ reference::TestVector vectorOf(const ExportOptions& options, Console& console) {
 
 void exportVector(const ExportOptions& options, Context& context) {
   const reference::TestVector vector = vectorOf(options, context.console);
-  Staging staging(options.output);
-  staging.requirePlaces({"vector.json", "stages.json"}, {options.scene.file});
+  Staging staging({.place = options.output, .writer = "vector export", .inputs = context.inputs()});
+  staging.requirePlaces({"vector.json", "stages.json"});
   reference::writeVector(staging.folder(), vector, {});
   if (options.stages) reference::writeStages(staging.folder(), vector);
   staging.commit();

@@ -13,7 +13,7 @@ namespace {
 void writeSuite(const std::filesystem::path& output, const Context& context) {
   const std::vector<reference::TestVector> suite = reference::wholeSuite(sceneFolder());
   writeVectors(
-      output, suite.size(), [&suite](std::size_t k) { return suite[k]; }, true, context);
+      output, "vector suite", suite.size(), [&suite](std::size_t k) { return suite[k]; }, true, context);
 }
 
 }  // namespace

@@ -19,7 +19,12 @@ namespace fs = std::filesystem;
 constexpr const char* formatName = "hemitex conformance record";
 constexpr int formatVersion = 1;
 
-std::string hashOf(const Json& entry) { return sha256(entry.dump()); }
+/// Names of folders may not be UTF-8; a record holds what replaces their bytes.
+std::string textOf(const Json& json, int indent = -1) {
+  return json.dump(indent, ' ', false, Json::error_handler_t::replace);
+}
+
+std::string hashOf(const Json& entry) { return sha256(textOf(entry)); }
 
 Json withHash(Json entry) {
   const std::string hash = hashOf(entry);
@@ -65,23 +70,28 @@ Json entryOf(const RecordedVector& vector) {
 }
 
 RecordedVector vectorOf(const Json& entry) {
+  const auto text = [](const Json& object, const char* key) { return valueAt<std::string>(object, key); };
   RecordedVector vector{
-      entry.at("vector"), entry.at("files"), valueOf(outcomeNames, entry.at("outcome"), "outcome"), {}, {}};
-  if (const Json& expected = entry.at("expected"); !expected.is_null())
-    vector.expected = {vector.name, valueOf(expectationNames, expected.at("result"), "result"), expected.at("reason")};
-  for (const Json& pixels : entry.at("faces")) {
-    RecordedFace face{pixels.at("name"), pixels.at("ids"), {}};
+      text(entry, "vector"), text(entry, "files"), valueOf(outcomeNames, text(entry, "outcome"), "outcome"), {}, {}};
+  if (const Json expected = entry.value("expected", Json()); !expected.is_null())
+    vector.expected = {vector.name, valueOf(expectationNames, text(expected, "result"), "result"),
+                       text(expected, "reason")};
+  for (const Json& pixels : partAt(entry, "faces")) {
+    RecordedFace face{text(pixels, "name"), text(pixels, "ids"), {}};
     for (const auto& [verdict, name] : pixelVerdictNames)
-      face.pixels[static_cast<std::size_t>(verdict)] = pixels.at(name);
+      face.pixels[static_cast<std::size_t>(verdict)] = valueAt<std::uint64_t>(pixels, name);
     vector.faces.push_back(face);
   }
   return vector;
 }
 
 ConformanceRecord recordOf(const Json& entries) {
-  const Json& header = entries.at(0);
-  ConformanceRecord record{
-      header.at("rules"), header.at("device"), header.at("driver"), parseProfile(header.at("profile").dump()), {}};
+  const Json& header = entries[0];
+  ConformanceRecord record{valueAt<int>(header, "rules"),
+                           valueAt<std::string>(header, "device"),
+                           valueAt<std::string>(header, "driver"),
+                           parseProfile(partAt(header, "profile").dump()),
+                           {}};
   for (std::size_t k = 1; k < entries.size(); ++k) record.vectors.push_back(vectorOf(entries[k]));
   return record;
 }
@@ -93,21 +103,23 @@ std::vector<std::string> damageOf(const Json& entries, const ConformanceRecord& 
       damage.push_back(k == 0 ? "the header differs from its hash"
                               : "the entry of " + record.vectors[k - 1].name + " differs from its hash");
   const Json& header = entries[0];
-  if (header.at("vectors") != record.vectors.size())
+  const auto vectors = valueAt<std::uint64_t>(header, "vectors");
+  if (vectors != record.vectors.size())
     damage.push_back("it has entries of " + std::to_string(record.vectors.size()) + " vectors instead of " +
-                     header.at("vectors").dump());
-  else if (header.at("suite") != hashOfSuite(record.vectors))
+                     std::to_string(vectors));
+  else if (valueAt<std::string>(header, "suite") != hashOfSuite(record.vectors))
     damage.push_back("the vectors are not those of the header");
   return damage;
 }
 
 Json parseRecord(const std::string& text) {
   const Json json = parseJson<Json>(text);
-  if (!json.is_object() || json.value("format", "") != formatName) throw InputError("is not a conformance record");
-  if (json.at("version") != formatVersion)
-    throw InputError("has version " + json.at("version").dump(), "this program reads version 1");
-  if (!json.at("entries").is_array() || json.at("entries").empty()) throw InputError("has no entries");
-  return json.at("entries");
+  if (!json.is_object() || json.value("format", Json()) != formatName) throw InputError("is not a conformance record");
+  if (const Json version = json.value("version", Json()); version != formatVersion)
+    throw InputError("has version " + shortText(version), "this program reads version 1");
+  const Json& entries = partAt(json, "entries");
+  if (!entries.is_array() || entries.empty()) throw InputError("has no entries");
+  return entries;
 }
 
 /// As in an item ID file.
@@ -121,7 +133,7 @@ std::string_view bytesOf(const raster::ItemBuffer& buffer) {
 std::string hashOfVector(const fs::path& folder) {
   std::vector<fs::path> files;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder))
-    if (entry.is_regular_file()) files.push_back(entry.path());
+    if (entry.is_regular_file() && !entry.path().filename().string().starts_with('.')) files.push_back(entry.path());
   std::sort(files.begin(), files.end());
   std::string hashes;
   for (const fs::path& file : files) hashes += sha256(raster::readFile(file)) + ' ' + file.filename().string() + '\n';
@@ -138,7 +150,7 @@ RecordedVector recordOf(const Report& report, const fs::path& folder) {
 std::string toJson(const ConformanceRecord& record) {
   Json json{{"format", formatName}, {"version", formatVersion}, {"entries", {withHash(headerOf(record))}}};
   for (const RecordedVector& vector : record.vectors) json["entries"].push_back(withHash(entryOf(vector)));
-  return json.dump(2) + '\n';
+  return textOf(json, 2) + '\n';
 }
 
 RecordFile readRecord(const fs::path& file) {
@@ -147,8 +159,6 @@ RecordFile readRecord(const fs::path& file) {
     const Json entries = parseRecord(text);
     const ConformanceRecord record = recordOf(entries);
     return {record, entries.size(), damageOf(entries, record)};
-  } catch (const Json::exception& error) {
-    throw InputError(file.string(), 0, error.what());
   } catch (const InputError& error) {
     throw InputError(file.string(), 0, error.what());
   }
