@@ -117,7 +117,7 @@ PolygonMesh parseVtkXml(std::string_view bytes, const std::filesystem::path& fil
   const Divided divided = divide(bytes);
   pugi::xml_document document;
   const pugi::xml_parse_result parsed = document.load_buffer(divided.xml.data(), divided.xml.size());
-  if (!parsed) fail({file}, std::string("is no XML: ") + parsed.description(), "give the whole file");
+  if (!parsed) fail({file}, "is no XML behind its byte " + std::to_string(parsed.offset), "give the whole file");
   const pugi::xml_node root = document.child("VTKFile");
   if (!root) fail({file}, "has no element VTKFile", "give a VTU or VTP file");
   const pugi::xml_node grid = root.child("UnstructuredGrid"), poly = root.child("PolyData");

@@ -11,6 +11,7 @@
 #include "radiosity/spectra/colour.h"
 #include "raster/base/file_io.h"
 #include "raster/base/input_error.h"
+#include "raster/base/short_number.h"
 
 namespace hemitex::radiosity {
 namespace {
@@ -181,7 +182,7 @@ std::optional<std::string> lowerReflectance(glm::dvec3& reflectance, double maxR
     isLowered = true;
   }
   if (!isLowered) return std::nullopt;
-  return "a reflectance of 1 or more is lowered to " + std::to_string(maxReflectance);
+  return "a reflectance of 1 or more is lowered to " + raster::toText(maxReflectance);
 }
 
 std::string opaqueWarning(const std::string& statement) {
