@@ -6,11 +6,14 @@
 #include <boost/algorithm/string.hpp>
 #include <iostream>
 
+#include "raster/base/printable_text.h"
+
 namespace hemitex::cli {
 namespace {
 
 constexpr int barLength = 30;
 constexpr std::size_t maxLine = 1000;
+constexpr std::size_t blockBytes = 1 << 16;
 constexpr std::chrono::milliseconds barInterval{100};
 constexpr std::chrono::seconds lineInterval{10};
 
@@ -24,7 +27,10 @@ std::string shortened(const std::string& text, std::size_t maxBytes) {
 
 std::string shellQuoted(const std::string& text) { return '\'' + boost::replace_all_copy(text, "'", "'\\''") + '\''; }
 
-void Console::error(const std::string& text) { print("hemitex: error: " + text); }
+void Console::error(const std::string& text, const std::string& advice) {
+  print("hemitex: error: " + text);
+  if (!advice.empty()) print(advice);
+}
 
 void Console::warning(const std::string& text) {
   given_.push_back(text);
@@ -56,14 +62,14 @@ void Console::progress(double fraction, const std::string& text) {
   const int filled = static_cast<int>(std::clamp(fraction, 0.0, 1.0) * barLength);
   const std::string bar = std::string(static_cast<std::size_t>(filled), '#') +
                           std::string(static_cast<std::size_t>(barLength - filled), '.');
-  std::cerr << "\r\033[K[" << bar << "] " << text << std::flush;
+  std::cerr << "\r\033[K[" << bar << "] " << raster::printable(text) << std::flush;
   shown_ = now;
   barShown_ = true;
 }
 
 void Console::machineLine(const std::string& text) {
   endProgress();
-  std::cerr << text << std::endl;
+  std::cerr << raster::printable(text) << std::endl;
 }
 
 void Console::endProgress() {
@@ -73,7 +79,36 @@ void Console::endProgress() {
 
 void Console::print(const std::string& line) {
   endProgress();
-  std::cerr << shortened(line, maxLine) << '\n';
+  std::cerr << raster::printable(shortened(line, maxLine)) << '\n';
+}
+
+PrintableStream::PrintableStream(std::ostream& stream) : stream_(stream), target_(stream.rdbuf(this)) {}
+
+PrintableStream::~PrintableStream() {
+  write(text_.size());
+  stream_.rdbuf(target_);
+}
+
+std::streamsize PrintableStream::xsputn(const char* text, std::streamsize size) {
+  text_.append(text, static_cast<std::size_t>(size));
+  if (text_.size() < blockBytes) return size;
+  const std::size_t lineEnd = text_.rfind('\n');
+  return write(lineEnd == std::string::npos ? text_.size() : lineEnd + 1) ? size : 0;
+}
+
+PrintableStream::int_type PrintableStream::overflow(int_type character) {
+  const char byte = traits_type::to_char_type(character);
+  return xsputn(&byte, 1) == 1 ? character : traits_type::eof();
+}
+
+int PrintableStream::sync() { return write(text_.size()) ? target_->pubsync() : -1; }
+
+/// Writes the first bytes of the text, up to the end of a line or of the text.
+bool PrintableStream::write(std::size_t size) {
+  const std::string part = raster::printable(std::string_view(text_).substr(0, size), "\n\t");
+  text_.erase(0, size);
+  return target_->sputn(part.data(), static_cast<std::streamsize>(part.size())) ==
+         static_cast<std::streamsize>(part.size());
 }
 
 }  // namespace hemitex::cli

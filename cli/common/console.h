@@ -2,6 +2,8 @@
 #pragma once
 
 #include <chrono>
+#include <ostream>
+#include <streambuf>
 #include <string>
 #include <vector>
 
@@ -20,12 +22,13 @@ std::string shortened(const std::string& text, std::size_t maxBytes);
 /// The text in single quotes, which sh, bash and zsh read as one word, so that a person can copy a suggested command.
 std::string shellQuoted(const std::string& text);
 
+/// Messages are printable (raster/base/printable_text.h), each in one line.
 class Console {
  public:
   Verbosity verbosity = Verbosity::Normal;
 
-  /// Prints a line, if the verbosity allows it.
-  void error(const std::string& text);
+  /// Prints a line, if the verbosity allows it; the advice of an error is a second one.
+  void error(const std::string& text, const std::string& advice = {});
   void warning(const std::string& text);
   void warnings(const std::vector<std::string>& texts);
   void message(const std::string& text);
@@ -48,6 +51,27 @@ class Console {
   std::vector<std::string> given_;
   std::chrono::steady_clock::time_point shown_;  ///< when the progress was last shown
   bool barShown_ = false;
+};
+
+/// While it exists, what a stream writes is printable, with line ends and tabs: names of files and what devices say
+/// cannot control the terminal. All that goes to the standard output passes here.
+class PrintableStream : public std::streambuf {
+ public:
+  /// `stream` must outlive this object.
+  explicit PrintableStream(std::ostream& stream);
+  ~PrintableStream() override;
+  PrintableStream(const PrintableStream&) = delete;
+  PrintableStream& operator=(const PrintableStream&) = delete;
+
+ private:
+  std::streamsize xsputn(const char* text, std::streamsize size) override;
+  int_type overflow(int_type character) override;
+  int sync() override;
+  bool write(std::size_t size);
+
+  std::ostream& stream_;
+  std::streambuf* target_;
+  std::string text_;  ///< not written yet: a character may go on in the next part
 };
 
 }  // namespace hemitex::cli

@@ -1,11 +1,13 @@
 /// JSON output. Keys keep their order, and numbers read back to the same bits. Bytes of names that are not valid UTF-8
-/// are replaced.
+/// are replaced, and characters that control a terminal are escaped (raster/base/printable_text.h).
 #pragma once
 
 #include <glm/glm.hpp>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+
+#include "raster/base/printable_text.h"
 
 namespace hemitex::cli {
 
@@ -25,8 +27,11 @@ nlohmann::ordered_json listOf(const List& list, const Make& make) {
   return result;
 }
 
-inline std::string toText(const nlohmann::ordered_json& json) {
-  return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n';
+/// A value in one line, without its end, or in indented lines.
+inline std::string toLine(const nlohmann::ordered_json& json, int indent = -1) {
+  return raster::printableJson(json.dump(indent, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
 }
+
+inline std::string toText(const nlohmann::ordered_json& json) { return toLine(json, 2) + '\n'; }
 
 }  // namespace hemitex::cli

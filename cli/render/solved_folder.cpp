@@ -45,8 +45,8 @@ std::optional<SolvedFolder> SolvedFolder::around(const std::filesystem::path& sc
   const std::optional<std::string> text = raster::tryReadFile(file);
   if (!text) return std::nullopt;
   requireIntact(solved.folder_);
+  const auto solution = reference::parseJson<json>(*text, file.string());
   try {
-    const json solution = reference::parseJson<json>(*text);
     const json& settings = solution.at("settings");
     if (const json& texels = settings.at("texels"); !texels.is_null()) solved.settings_.texels = texels.get<int>();
     solved.settings_.patch = settings.at("patch").get<int>();
@@ -62,9 +62,8 @@ std::optional<SolvedFolder> SolvedFolder::around(const std::filesystem::path& sc
                                 texelsAt(texture, "row", 0), texelsAt(surface, "columns", 1),
                                 texelsAt(surface, "rows", 1)});
     }
-  } catch (const std::exception& error) {
-    throw raster::InputError(file.string(), 0, std::string("does not belong to the scene beside it: ") + error.what(),
-                             "solve the scene again");
+  } catch (const std::exception&) {
+    throw raster::InputError(file.string(), 0, "does not belong to the scene beside it", "solve the scene again");
   }
   for (std::size_t s = 0; s < scene.surfaces.size(); ++s) {
     const Place& place = solved.places_[s];

@@ -33,15 +33,14 @@ std::optional<CameraOptions> readViewFile(const std::filesystem::path& file) {
   if (!text) return std::nullopt;
   CameraOptions view;
   try {
-    const auto json = reference::parseJson<nlohmann::json>(*text);
+    const auto json = reference::parseJson<nlohmann::json>(*text, file.string());
     if (!json.is_object()) throw raster::InputError("it is no JSON object", form);
     view.eye = vectorAt(json, "eye");
     view.lookAt = vectorAt(json, "look_at");
     view.up = vectorAt(json, "up");
-    if (json.contains("fov")) view.fov = json.at("fov").get<double>();
-  } catch (const nlohmann::json::exception& error) {
-    throw raster::InputError(file.string(), 0, std::string("is not a valid view: ") + error.what(), form);
+    if (json.contains("fov")) view.fov = reference::valueAt<double>(json, "fov");
   } catch (const raster::InputError& error) {
+    if (!error.file().empty()) throw;
     throw raster::InputError(file.string(), 0, std::string("is not a valid view: ") + error.what());
   }
   return view;

@@ -61,6 +61,22 @@ std::vector<std::string> largestFamilies(const radiosity::Scene& scene) {
   return names;
 }
 
+const std::string overflowText =
+    "offsets without alignment overflow the channels of a clamped add, so that wrong elements receive light";
+const std::string overflowAdvice = "use --blend integer-add";
+
+bool overflows(const radiosity::IdSettings& settings) {
+  return !settings.aligned && settings.indexMaps != IndexMaps::Unique && settings.blend == raster::Blend::ClampedAdd;
+}
+
+radiosity::IdLayout anyLayoutOf(const radiosity::IdSettings& settings,
+                                const radiosity::Discretization& discretization) {
+  const bool hasOffsets = settings.page || settings.blend != raster::Blend::ClampedAdd || !settings.aligned;
+  if (settings.indexMaps == IndexMaps::Unique && hasOffsets)
+    throw raster::InputError("unique index maps have no offsets", "omit --page, --blend and --no-align");
+  return radiosity::layOut(discretization, settings);
+}
+
 /// Adds `--cell-reflectance` and `--cell-emission`.
 void addCellOptions(Command command, radiosity::SceneSettings& settings) {
   command = command.under("Light and reflectance");
@@ -210,20 +226,20 @@ void addIdOptions(Command command, radiosity::IdSettings& settings) {
       readPage);
   addChoice(command, "--blend", settings.blend, blendChoices,
             "add offset and index per channel with clamping, as blend units do, or as integers (default clamped-add)");
-  command.addFlag("--no-align", "assign offsets without gaps; needs --blend integer-add",
+  command.addFlag("--no-align",
+                  "assign offsets without gaps; to compute light or form factors this needs --blend integer-add",
                   [&settings] { settings.aligned = false; });
 }
 
-radiosity::IdLayout layoutOf(const radiosity::IdSettings& settings, const radiosity::Discretization& discretization,
-                             Console& console) {
-  const bool hasOffsets = settings.page || settings.blend != raster::Blend::ClampedAdd || !settings.aligned;
-  if (settings.indexMaps == radiosity::IndexMaps::Unique && hasOffsets)
-    throw raster::InputError("unique index maps have no offsets", "omit --page, --blend and --no-align");
-  radiosity::IdLayout layout = radiosity::layOut(discretization, settings);
-  if (!layout.aligned && layout.blend == raster::Blend::ClampedAdd)
-    console.warning(
-        "offsets without alignment overflow the channels of a clamped add, so that wrong elements receive light; "
-        "use --blend integer-add");
+radiosity::IdLayout layoutOf(const radiosity::IdSettings& settings, const radiosity::Discretization& discretization) {
+  if (overflows(settings)) throw raster::InputError(overflowText, overflowAdvice);
+  return anyLayoutOf(settings, discretization);
+}
+
+radiosity::IdLayout shownLayoutOf(const radiosity::IdSettings& settings,
+                                  const radiosity::Discretization& discretization, Console& console) {
+  const radiosity::IdLayout layout = anyLayoutOf(settings, discretization);
+  if (overflows(settings)) console.warning(overflowText + "; " + overflowAdvice);
   return layout;
 }
 
@@ -259,10 +275,15 @@ void addDrawingOptions(Command command, radiosity::DrawingSettings& settings) {
       command, "--orientation", settings.orientation, orientationChoices,
       "rotate projections about the normal, by a different angle per patch (turned) or not at all (aligned); turned "
       "reduces aliasing (default turned)");
-  addPositive(
-      command, "--split", settings.split, std::numeric_limits<double>::infinity(),
+  const auto readSplit = [&settings](const std::string& text) {
+    settings.split = positiveOption("--split", text, std::numeric_limits<double>::infinity());
+    if (settings.split > 1) usageError("--split", "`" + text + "` is above 1, the share of all flux");
+  };
+  command.addText(
+      "--split", "X",
       "subdivide a patch while more than this share of its flux would go elsewhere from other points of it (default "
-      "0.003). Bright patches are subdivided further. 1 means no subdivision.");
+      "0.003). Bright patches are subdivided further. 1 means no subdivision.",
+      readSplit);
   addPositive(
       command, "--pixels-per-element", settings.pixelsPerElement, std::numeric_limits<double>::infinity(),
       "use a coarser index map for a surface that has fewer pixels per visible element than this (default: never). 4 "

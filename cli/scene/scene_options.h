@@ -52,10 +52,12 @@ nlohmann::ordered_json toJson(const radiosity::DiscretizationSettings& settings)
 
 /// Adds the options for assigning item IDs to elements.
 void addIdOptions(Command command, radiosity::IdSettings& settings);
-/// The layout of item IDs. Throws InputError as radiosity::layOut, and if options for offsets are given with unique
-/// index maps, which have no offsets.
-radiosity::IdLayout layoutOf(const radiosity::IdSettings& settings, const radiosity::Discretization& discretization,
-                             Console& console);
+/// The layout of item IDs, for light and form factors. Throws InputError as radiosity::layOut, if options for offsets
+/// are given with unique index maps, which have no offsets, and if sums of offsets and indices overflow.
+radiosity::IdLayout layoutOf(const radiosity::IdSettings& settings, const radiosity::Discretization& discretization);
+/// As layoutOf, for pictures and test vectors of item IDs: only warns of sums that overflow, which they show.
+radiosity::IdLayout shownLayoutOf(const radiosity::IdSettings& settings,
+                                  const radiosity::Discretization& discretization, Console& console);
 nlohmann::ordered_json toJson(const radiosity::IdSettings& settings);
 
 /// Adds `--resolution`: pixels along the side of a face, even, 2 to 4096.

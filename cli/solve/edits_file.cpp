@@ -64,8 +64,14 @@ glm::dvec3 vectorOf(const json& object, const std::string& key) {
   return reference::vectorAt(object, key);
 }
 
+/// A name, or those of a list.
 std::vector<std::string> namesOf(const json& value) {
-  return value.is_array() ? value.get<std::vector<std::string>>() : std::vector{value.get<std::string>()};
+  std::vector<std::string> names;
+  for (const json& name : value.is_array() ? value : json::array({value})) {
+    if (!name.is_string()) throw InputError("an object is named " + reference::shortText(name), form);
+    names.push_back(name.get<std::string>());
+  }
+  return names;
 }
 
 /// Appends the edits of an object, one per name.
@@ -85,7 +91,7 @@ void appendEdits(const json& object, const std::filesystem::path& folder, const 
 }
 
 json framesOf(const std::filesystem::path& file) {
-  const json content = reference::parseJson<json>(raster::readFile(file, "give a JSON file of edits"));
+  const json content = reference::parseJson<json>(raster::readFile(file, "give a JSON file of edits"), file.string());
   if (!content.is_object() || !content.contains("frames") || content.size() != 1 || !content.at("frames").is_array())
     throw InputError(file.string(), 0, "is no list of frames", form);
   return content.at("frames");
@@ -107,8 +113,6 @@ std::vector<Frame> readEdits(const std::filesystem::path& file, const radiosity:
       state = radiosity::edited(std::move(state.scene), std::move(state.removed), edits);
       frames.push_back({frame, std::move(edits), state.scene.files});
     }
-  } catch (const json::exception& error) {
-    throw InputError(file.string(), 0, where + error.what(), form);
   } catch (const InputError& error) {
     // A message about an added file names that file already.
     if (!error.file().empty()) throw;

@@ -162,7 +162,7 @@ void solveAdaptive(SolveResult& result, const radiosity::Scene& scene, Monitor& 
   const SolveOptions& options = result.options;
   const auto solveElements = [&](const radiosity::Discretization& discretization) {
     result.discretization = discretization;
-    result.layout = layoutOf(options.id, discretization, monitor.console());
+    result.layout = layoutOf(options.id, discretization);
     return solvedRadiosity(result, scene, monitor);
   };
   solveElements(radiosity::adaptiveDiscretization(scene, options.discretization, *options.adaptive, solveElements));
@@ -196,7 +196,7 @@ radiosity::BandSolution solvedGroups(const BandScenes& scenes, radiosity::Scene&
 SolveResult solveBands(const SolveOptions& asked, const BandScenes& scenes, radiosity::Discretization discretization,
                        Monitor& monitor) {
   SolveResult result{asked, std::move(discretization)};
-  result.layout = layoutOf(asked.id, result.discretization, monitor.console());
+  result.layout = layoutOf(asked.id, result.discretization);
   radiosity::Scene scene = scenes.inColour;
   const auto solver = [&](radiosity::SolveInput input, const radiosity::Progress& progress) {
     result.bands = solvedGroups(scenes, scene, result.discretization, std::move(input), progress);
@@ -213,7 +213,7 @@ SolveResult solveScene(const SolveOptions& asked, const radiosity::Scene& scene,
                        radiosity::Discretization discretization, Monitor& monitor) {
   SolveResult result{asked, std::move(discretization)};
   if (boundsRows(asked)) result.options.solver.residual = radiosity::residualFor(*asked.maxError);
-  if (!asked.adaptive) result.layout = layoutOf(asked.id, result.discretization, monitor.console());
+  if (!asked.adaptive) result.layout = layoutOf(asked.id, result.discretization);
   try {
     if (asked.adaptive)
       solveAdaptive(result, scene, monitor);

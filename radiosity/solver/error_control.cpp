@@ -4,11 +4,11 @@
 #include <cassert>
 #include <cmath>
 #include <cstddef>
-#include <sstream>
 #include <utility>
 
 #include "radiosity/scene/scene.h"
 #include "raster/base/input_error.h"
+#include "raster/base/short_number.h"
 
 namespace hemitex::radiosity {
 namespace {
@@ -73,9 +73,9 @@ ErrorBoundChoice chooseEffort(const Discretization& discretization, const std::v
     if (expected.larger() <= bound) return {ladder[step], expected};
     coarser = std::move(finer);
   }
-  std::ostringstream advice;
-  advice << "ask for " << std::ceil(expected.larger() * 1e4) / 1e4 << ", or for fewer texels";
-  throw raster::InputError("so small an error is out of reach for this scene", advice.str());
+  throw raster::InputError(
+      "so small an error is out of reach for this scene",
+      "ask for " + raster::toText(std::ceil(expected.larger() * 1e4) / 1e4) + ", or for fewer texels");
 }
 
 }  // namespace hemitex::radiosity

@@ -3,11 +3,15 @@
 /// exhaust the stack of code that walks the values.
 #pragma once
 
+#include <algorithm>
 #include <glm/glm.hpp>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
 #include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "raster/base/input_error.h"
@@ -20,6 +24,34 @@ inline constexpr int maxJsonDepth = 64;
 template <typename Json>
 std::string shortText(const Json& value) {
   return raster::excerpt(value.dump(-1, ' ', true, Json::error_handler_t::replace), 100);
+}
+
+/// Finds where a text stops being JSON, for messages in our words. Accepts all values on the way.
+template <typename Json>
+struct JsonFault : nlohmann::detail::json_sax_acceptor<Json> {
+  std::size_t end = 0;  ///< behind the fault, in bytes
+  std::string at;       ///< the text there
+
+  bool parse_error(std::size_t position, const std::string& token, const nlohmann::detail::exception&) {
+    end = position;
+    at = token;
+    return false;
+  }
+};
+
+/// Throws InputError for a text that the parser refuses, with line and column.
+template <typename Json>
+[[noreturn]] void failToParse(const std::string& text, const std::string& file) {
+  JsonFault<Json> fault;
+  Json::sax_parse(text, &fault);
+  const std::string_view before = std::string_view(text).substr(0, std::max<std::size_t>(fault.end, 1) - 1);
+  const auto line = static_cast<int>(1 + std::count(before.begin(), before.end(), '\n'));
+  const std::size_t column = before.size() - (before.rfind('\n') + 1) + 1;  // npos + 1 is 0
+  const std::string place =
+      "column " + std::to_string(column) +
+      (fault.end > text.size() ? ", where the text ends" : ", in `" + raster::excerpt(fault.at, 40) + "`");
+  throw raster::InputError(file, line,
+                           "is not JSON: " + (file.empty() ? "line " + std::to_string(line) + ", " : "") + place);
 }
 
 /// The value of a text. Throws InputError, with `file` if it is not empty, for text that is not JSON, for a key that an
@@ -44,9 +76,38 @@ Json parseJson(const std::string& text, const std::string& file = {},
   };
   try {
     return Json::parse(text, check);
-  } catch (const typename Json::exception& error) {
-    throw raster::InputError(file, 0, error.what());
+  } catch (const typename Json::exception&) {
+    failToParse<Json>(text, file);
   }
+}
+
+/// A string, number, or integer in the range of its type that an object has at a key. Throws InputError, which names
+/// the key, for anything else.
+template <typename Value, typename Json>
+Value valueAt(const Json& object, const std::string& key) {
+  const auto found = object.find(key);
+  if (found == object.end()) throw raster::InputError("`" + key + "` is missing");
+  const auto require = [&](bool is, const char* what) {
+    if (!is) throw raster::InputError("`" + key + "` has the value " + shortText(*found), std::string("write ") + what);
+  };
+  if constexpr (std::is_same_v<Value, std::string>)
+    require(found->is_string(), "a string");
+  else if constexpr (std::is_integral_v<Value>)
+    require(found->is_number_integer() &&
+                (found->is_number_unsigned() ? std::in_range<Value>(found->template get<std::uint64_t>())
+                                             : std::in_range<Value>(found->template get<std::int64_t>())),
+            "an integer of its range");
+  else
+    require(found->is_number(), "a number");
+  return found->template get<Value>();
+}
+
+/// The object or list that an object has at a key. Throws InputError, which names the key, if there is none.
+template <typename Json>
+const Json& partAt(const Json& object, const std::string& key) {
+  const auto found = object.find(key);
+  if (found == object.end() || !found->is_structured()) throw raster::InputError("`" + key + "` is missing");
+  return *found;
 }
 
 /// A value that is a list of three numbers; nothing for any other value.

@@ -10,9 +10,6 @@
 namespace hemitex::radiosity {
 namespace {
 
-/// The first line of a message; further ones repeat it in other words.
-std::string firstLine(const std::string& message) { return message.substr(0, message.find('\n')); }
-
 /// Alpha is dropped, so colours must not be multiplied by it.
 OIIO::ImageSpec unassociatedAlpha() {
   OIIO::ImageSpec config;
@@ -61,7 +58,7 @@ ImageProblem readPixels(OIIO::ImageInput* input, std::uint64_t maxPixels, const 
     const bool isRead = spec.format == OIIO::TypeDesc::UINT8
                             ? readRows(input, begin, end, OIIO::TypeDesc::UINT8, rows, rows.codes)
                             : readRows(input, begin, end, OIIO::TypeDesc::FLOAT, rows, rows.values);
-    if (!isRead) return {"cannot be read: " + firstLine(input->geterror()), ""};
+    if (!isRead) return {"is damaged", "save it again"};
     receive(rows, spec.height);
   }
   return {};
@@ -70,7 +67,7 @@ ImageProblem readPixels(OIIO::ImageInput* input, std::uint64_t maxPixels, const 
 ImageProblem read(const std::string& file, std::uint64_t maxPixels, const RowReceiver& receive) {
   const OIIO::ImageSpec config = unassociatedAlpha();
   const auto input = OIIO::ImageInput::open(file, &config);
-  if (!input) return {"cannot be read as an image: " + firstLine(OIIO::geterror()), ""};
+  if (!input) return {"cannot be read as an image", "save it as PNG, JPEG or EXR"};
   return readPixels(input.get(), maxPixels, receive);
 }
 
@@ -86,7 +83,7 @@ ImageProblem decode(const std::vector<unsigned char>& bytes, std::uint64_t maxPi
   const auto input = OIIO::ImageInput::create(format);
   OIIO::ImageSpec spec;
   if (!input || !input->set_ioproxy(&memory) || !input->open("image." + format, spec, unassociatedAlpha()))
-    return {"cannot be decoded: " + firstLine(input ? input->geterror() : OIIO::geterror()), ""};
+    return {"cannot be decoded", "export it as PNG"};
   return readPixels(input.get(), maxPixels, receive);
 }
 
@@ -101,12 +98,12 @@ ImageProblem encode(const std::string& format, const std::string& colourSpace, c
   spec.attribute("DateTime", "2000:01:01 00:00:00");
   OIIO::Filesystem::IOVecOutput memory(bytes);
   const auto output = OIIO::ImageOutput::create(format);
-  if (!output || !output->supports("ioproxy")) return {"cannot be encoded: OpenImageIO lacks " + format, ""};
+  if (!output || !output->supports("ioproxy")) return {"cannot be encoded: the module for images lacks " + format, ""};
   const void* const first =
       holdsCodes ? static_cast<const void*>(samples.codes.data()) : static_cast<const void*>(samples.values.data());
   const bool isEncoded = output->set_ioproxy(&memory) && output->open("image." + format, spec) &&
                          output->write_image(spec.format, first) && output->close();
-  if (!isEncoded) return {"cannot be encoded: " + output->geterror(), ""};
+  if (!isEncoded) return {"cannot be encoded", ""};
   return {};
 }
 

@@ -1,7 +1,7 @@
 #include "reference/conformance/diagnosis/diagnosis.h"
 
 #include <algorithm>
-#include <cstdio>
+#include <cmath>
 
 #include "raster/base/parallel.h"
 #include "reference/conformance/diagnosis/fault.h"
@@ -134,10 +134,9 @@ std::string toText(const std::vector<Finding>& findings) {
   std::string text;
   for (const Finding& finding : findings) {
     if (findings.size() > 1) text += text.empty() ? "either " : "; or ";
-    char percent[16];
-    std::snprintf(percent, sizeof percent, "%.1f", 100 * finding.agreement);
-    text += finding.fault + (finding.variant.empty() ? "" : ", " + finding.variant) + " (" + percent +
-            " % agreement): " + finding.advice;
+    const long long tenths = std::llround(1000 * finding.agreement);
+    text += finding.fault + (finding.variant.empty() ? "" : ", " + finding.variant) + " (" +
+            std::to_string(tenths / 10) + "." + std::to_string(tenths % 10) + " % agreement): " + finding.advice;
   }
   return text;
 }

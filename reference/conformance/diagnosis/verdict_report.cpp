@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "raster/base/printable_text.h"
 #include "reference/conformance/trace/rational_rasterizer.h"
 #include "reference/conformance/vectors/vector_file.h"
 
@@ -130,18 +131,11 @@ std::vector<TestCase> casesOf(const Report& report, bool isStrict) {
   return cases;
 }
 
-/// Text for XML. Control characters become blanks, but line ends stay with `keepsLines`.
+/// Printable text for XML; line ends stay with `keepsLines`.
 std::string xmlText(const std::string& text, bool keepsLines = false) {
   std::string result;
-  for (const char c : text) {
-    const bool isControl = static_cast<unsigned char>(c) < 0x20 && !(keepsLines && c == '\n');
-    result += c == '&'    ? "&amp;"
-              : c == '<'  ? "&lt;"
-              : c == '>'  ? "&gt;"
-              : c == '"'  ? "&quot;"
-              : isControl ? " "
-                          : std::string(1, c);
-  }
+  for (const char c : raster::printable(text, keepsLines ? "\n" : ""))
+    result += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : c == '"' ? "&quot;" : std::string(1, c);
   return result;
 }
 

@@ -11,6 +11,7 @@
 
 #include "raster/base/file_io.h"
 #include "raster/base/input_error.h"
+#include "raster/base/short_number.h"
 #include "raster/software/software_renderer.h"
 #include "reference/base/json_text.h"
 #include "reference/conformance/vectors/array_file.h"
@@ -218,9 +219,7 @@ raster::ItemBuffer readIds(const filesystem::path& file, const raster::Scissor& 
 
 /// A binary32 as the shortest binary64 decimal that reads back to it.
 Json number(float value) {
-  char text[64];
-  std::snprintf(text, sizeof text, "%.9g", static_cast<double>(value));
-  return std::strtod(text, nullptr);
+  return raster::parseNumber(raster::withDigits(static_cast<double>(value), 9)).value_or(value);
 }
 
 Json toJson(const glm::vec3& v) { return {number(v.x), number(v.y), number(v.z)}; }
@@ -269,9 +268,7 @@ TestVector readVector(const filesystem::path& folder) {
   if (!filesystem::is_regular_file(file))
     throw InputError(file.string(), 0, "is missing or not a file", "a test vector is a folder with a vector.json");
   try {
-    return readJson(folder, parseJson<Json>(raster::readFile(file)));
-  } catch (const Json::exception& error) {
-    throw InputError(file.string(), 0, error.what());
+    return readJson(folder, parseJson<Json>(raster::readFile(file), file.string()));
   } catch (const InputError& error) {
     if (!error.file().empty()) throw;
     throw InputError(file.string(), 0, error.what());

@@ -25,23 +25,23 @@ constexpr std::array<Named<DepthFormat>, 3> depthFormatNames{
 template <typename Value, std::size_t count>
 void readChoice(const Json& value, const std::string& key, const std::array<Named<Value>, count>& names,
                 Value& target) {
-  target = valueOf(names, value.is_string() ? value.get<std::string>() : value.dump(), key);
+  target = valueOf(names, value.is_string() ? value.get<std::string>() : shortText(value), key);
 }
 
 void readBound(const Json& value, const std::string& key, double& target) {
   if (!value.is_number() || !std::isfinite(value.get<double>()) || value.get<double>() < 0)
-    throw InputError("\"" + key + "\" is " + value.dump(), "use a number from 0 up");
+    throw InputError("\"" + key + "\" is " + shortText(value), "use a number from 0 up");
   target = value.get<double>();
 }
 
 void readSubpixelBits(const Json& value, const std::string& key, int& target) {
   if (!value.is_number_integer() || value < 4 || value > 12)
-    throw InputError("\"" + key + "\" is " + value.dump(), "use a whole number from 4 to 12");
+    throw InputError("\"" + key + "\" is " + shortText(value), "use a whole number from 4 to 12");
   target = value.get<int>();
 }
 
 void readFlag(const Json& value, const std::string& key, bool& target) {
-  if (!value.is_boolean()) throw InputError("\"" + key + "\" is " + value.dump(), "use true or false");
+  if (!value.is_boolean()) throw InputError("\"" + key + "\" is " + shortText(value), "use true or false");
   target = value.get<bool>();
 }
 
@@ -62,7 +62,7 @@ void readField(const Json& value, const std::string& key, DeviceProfile& profile
 void checkVersion(const Json& json) {
   const Json version = json.value("version", Json(1));
   if (version != 1 && version != 2)
-    throw InputError("\"version\" is " + version.dump(), "use version 2, or 1 of earlier programs");
+    throw InputError("\"version\" is " + shortText(version), "use version 2, or 1 of earlier programs");
   if (version == 1 && json.contains("interpolation_error"))
     throw InputError("\"interpolation_error\" is not a key of version 1", "add \"version\": 2");
 }
@@ -101,17 +101,13 @@ Json toJson(const DeviceProfile& profile) {
 }
 
 DeviceProfile parseProfile(const std::string& text) {
-  try {
-    const Json json = parseJson<Json>(text);
-    if (!json.is_object()) throw InputError("a device profile is a JSON object");
-    DeviceProfile profile;
-    checkVersion(json);
-    for (const auto& [key, value] : json.items())
-      if (key != "version") readField(value, key, profile);
-    return profile;
-  } catch (const Json::exception& error) {
-    throw InputError(error.what());
-  }
+  const Json json = parseJson<Json>(text);
+  if (!json.is_object()) throw InputError("a device profile is a JSON object");
+  DeviceProfile profile;
+  checkVersion(json);
+  for (const auto& [key, value] : json.items())
+    if (key != "version") readField(value, key, profile);
+  return profile;
 }
 
 DeviceProfile readProfile(const std::filesystem::path& file) {

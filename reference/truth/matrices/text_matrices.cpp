@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "raster/base/input_error.h"
+#include "raster/base/printable_text.h"
 #include "reference/truth/matrices/word_reader.h"
 
 namespace hemitex::reference {
@@ -56,7 +57,7 @@ class MatrixMarketSink : public RowSink {
           << "% Column " << facets + 1 << " (surroundings) is the share that meets nothing, column " << facets + 2
           << " (backs) that which meets backs of facets.\n";
     for (std::uint64_t f = 0; f < heading.names.size(); ++f)
-      file_ << "% facet " << f + 1 << " " << withoutLineEnds(heading.names[f]) << "\n";
+      file_ << "% facet " << f + 1 << " " << raster::printable(heading.names[f]) << "\n";
     file_ << facets << " " << heading.columns() << " ";
     entriesAt_ = file_.place();
     file_ << std::string(digits, ' ') << "\n";
@@ -76,11 +77,6 @@ class MatrixMarketSink : public RowSink {
 
  private:
   static constexpr std::size_t digits = 20;  ///< of the largest number of entries
-  static std::string withoutLineEnds(std::string name) {
-    std::replace_if(
-        name.begin(), name.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
-    return name;
-  }
 
   TextFile file_;
   std::streampos entriesAt_;
