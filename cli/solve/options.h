@@ -42,13 +42,12 @@ struct SolveOptions {
   bool noTextures = false;                ///< do not write textures, nor the lit scene, which shows them
   bool facets = false, noFacets = false;  ///< as given; the settings of the scene say what is chosen
   std::filesystem::path matrix;           ///< with rows of facets; empty: rows are computed
-  bool insists = false;                   ///< run whatever the size (see run_size.h)
   LongRunOptions longRun;
   std::filesystem::path output;
 };
 
-/// Adds the options to the command. `options` must outlive the program.
-void addSolveOptions(Command command, SolveOptions& options);
+/// Adds the options to the command. `options` and `context` must outlive the program.
+void addSolveOptions(Command command, SolveOptions& options, Context& context);
 
 /// Completes and checks the options after the whole command line is read: sets the projection, and throws a usage error
 /// for contradicting options.

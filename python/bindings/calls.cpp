@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "raster/base/input_error.h"
+#include "raster/base/memory_budget.h"
 
 namespace hemitex::python {
 namespace {
@@ -39,6 +40,13 @@ void addErrors(py::module_& module) {
       raise(error.what(), error.path1().string(), 0, {});
     }
   });
+}
+
+void addSizePolicy(py::module_& module) {
+  py::class_<raster::SizePolicy>(module, "SizePolicy").def(py::init([](bool insists) {
+    return new raster::SizePolicy(insists, "use `with hemitex.insist():` to run all the same");
+  }));
+  module.attr("ordinary") = module.attr("SizePolicy")(false);
 }
 
 Kept keep(py::object object) {

@@ -14,6 +14,10 @@ namespace py = pybind11;
 /// throws raster::InputError.
 void addErrors(py::module_& module);
 
+/// Adds `SizePolicy`, which refuses what is too large, or nothing, while it lives; one that refuses lives as long as the
+/// module (see raster/base/memory_budget.h).
+void addSizePolicy(py::module_& module);
+
 /// Calls `function` without the interpreter's lock, so that other threads of Python run meanwhile.
 template <typename Function>
 auto unlocked(const Function& function) {

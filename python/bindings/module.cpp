@@ -12,6 +12,7 @@
 PYBIND11_MODULE(_core, module) {
   using namespace hemitex::python;
   addErrors(module);
+  addSizePolicy(module);
   addScenes(module);
   addFormFactors(module);
   addLight(module);

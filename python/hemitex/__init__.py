@@ -20,7 +20,7 @@ from ._core import InputError
 from .conformance import Explanation, TestVector, Verdict, explain, judge, read_vector, vector_suite
 from .form_factors import (FormFactorMatrix, FormFactorRow, Hemicube, HemicubeFace, MatrixVerdict, analytic,
                            check_matrix, form_factor_matrix, form_factor_row, hemicube, rays, read_matrix)
-from .light import Sensitivity, Solution, UpdateCost, edit, sensitivity, solve, threads
+from .light import Sensitivity, Solution, UpdateCost, edit, insist, sensitivity, solve, threads
 from .pictures import Camera, camera, render
 from .rasterizers import Draw, DrawList, Face, Rasterizer
 from .scenes import (Add, Edit, Elements, Move, Remove, Restore, Scene, SetEmission, SetReflectance, discretize,
@@ -31,6 +31,6 @@ __all__ = [
     "Hemicube", "HemicubeFace", "InputError", "MatrixVerdict", "Move", "Rasterizer", "Remove", "Restore", "Scene",
     "Sensitivity", "SetEmission", "SetReflectance", "Solution", "TestVector", "UpdateCost", "Verdict", "analytic",
     "camera", "check_matrix", "discretize", "edit", "explain", "form_factor_matrix", "form_factor_row", "hemicube",
-    "judge", "load_scene", "rays", "read_matrix", "read_vector", "render", "sensitivity", "solve", "threads",
+    "insist", "judge", "load_scene", "rays", "read_matrix", "read_vector", "render", "sensitivity", "solve", "threads",
     "vector_suite"
 ]

@@ -166,6 +166,20 @@ def sensitivity(solution: Solution, target: str | npt.ArrayLike, *, progress: To
 
 
 @contextmanager
+def insist() -> Iterator[None]:
+    """Runs the calls inside a `with` block whatever their size.
+
+    Otherwise more than 2^24 elements, and files, meshes, images and matrices that do not fit into the free memory, raise
+    `InputError` with the number. Holds for all threads.
+    """
+    policy = _core.SizePolicy(True)
+    try:
+        yield
+    finally:
+        del policy
+
+
+@contextmanager
 def threads(count: int) -> Iterator[None]:
     """Limits all calls inside a `with` block to a number of threads; 0 means all of the machine."""
     limit = _core.Threads(count)

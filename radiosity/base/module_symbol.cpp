@@ -2,7 +2,9 @@
 
 #include <dlfcn.h>
 
+#include <new>
 #include <stdexcept>
+#include <string>
 
 namespace hemitex::radiosity {
 
@@ -11,8 +13,11 @@ const void* moduleSymbol(const char* module, const char* symbol) {
   // hemitex::radiosity.
   void* const handle = dlopen(module, RTLD_NOW | RTLD_LOCAL);
   const void* const address = handle ? dlsym(handle, symbol) : nullptr;
-  if (!address) throw std::runtime_error(dlerror());
-  return address;
+  if (address) return address;
+  const std::string problem = dlerror();
+  for (const char* lack : {"failed to map segment", "annot allocate memory"})
+    if (problem.find(lack) != problem.npos) throw std::bad_alloc();
+  throw std::runtime_error(problem);
 }
 
 }  // namespace hemitex::radiosity

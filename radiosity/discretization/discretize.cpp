@@ -69,16 +69,6 @@ void validate(const Scene& scene, const DiscretizationSettings& settings) {
   }
 }
 
-/// Texels, elements and item IDs are 32-bit numbers.
-void validateSizes(std::span<const GridSize> sizes) {
-  std::uint64_t texels = 0;
-  for (const GridSize& size : sizes)
-    texels += static_cast<std::uint64_t>(size.columns) * static_cast<std::uint64_t>(size.rows);
-  if (texels >= 0xffffffff)
-    throw InputError("the surfaces have " + std::to_string(texels) + " texels in all, more than there are item IDs",
-                     "use fewer texels a surface");
-}
-
 /// If the charts of all triangles have no area, the texel with the largest surface area represents the surface.
 void coverOneAtLeast(TexelAreas& texels) {
   if (std::any_of(texels.coverage.begin(), texels.coverage.end(), [](double c) { return c > coverageNoise; })) return;
@@ -302,7 +292,7 @@ Discretization discretized(const Scene& scene, const DiscretizationSettings& ask
   validate(scene, asked);
   const DiscretizationSettings settings = followingScene(scene, asked);
   const std::vector<GridSize> sizes = gridSizesOf(scene, settings);
-  validateSizes(sizes);
+  requireAffordable(scene, sizes);
   std::vector<Exposure> exposure(scene.surfaces.size());
   if (!settings.isUnburied) exposure = findExposure(scene, sizes);
   Discretization whole = assembled(scene, settings, sizes, quadtrees, exposure);

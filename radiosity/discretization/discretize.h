@@ -7,8 +7,9 @@
 
 namespace hemitex::radiosity {
 
-/// Throws InputError for a setting out of range, a name in surfaceTexels that no surface has, and 2^32 - 1 texels or
-/// more in total. The sum of element areas equals the exposed area of each surface within 1e-12, relative.
+/// Throws InputError for a setting out of range, a name in surfaceTexels that no surface has, and more texels than
+/// requireAffordable grants (grid_size.h). The sum of element areas equals the exposed area of each surface within
+/// 1e-12, relative.
 Discretization discretize(const Scene& scene, const DiscretizationSettings& settings);
 
 /// As above, with the leaves of quadtrees as elements: one quadtree per surface, with the size of its grid. Also throws

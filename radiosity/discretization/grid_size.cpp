@@ -8,6 +8,7 @@
 #include "radiosity/geometry/mesh_charts.h"
 #include "radiosity/geometry/rectangle_packing.h"
 #include "raster/base/input_error.h"
+#include "raster/base/memory_budget.h"
 
 namespace hemitex::radiosity {
 namespace {
@@ -143,6 +144,30 @@ std::vector<GridSize> gridSizesOf(const Scene& scene, const DiscretizationSettin
   std::vector<GridSize> sizes;
   for (const Surface& surface : scene.surfaces) sizes.push_back(gridSizeOf(surface, followed));
   return sizes;
+}
+
+std::uint64_t totalTexels(std::span<const GridSize> sizes) {
+  std::uint64_t texels = 0;
+  for (const GridSize& size : sizes)
+    texels += static_cast<std::uint64_t>(size.columns) * static_cast<std::uint64_t>(size.rows);
+  return texels;
+}
+
+void requireAffordable(const Scene& scene, std::span<const GridSize> sizes) {
+  constexpr std::uint64_t maxElements = 1 << 24;
+  const std::uint64_t texels = totalTexels(sizes);
+  const std::string file = scene.files.empty() ? std::string() : scene.files.front().string();
+  if (texels >= 0xffffffff)
+    throw raster::InputError(
+        file, 0, "the surfaces have " + std::to_string(texels) + " texels in all, more than there are item IDs",
+        "use fewer texels a surface");
+  const std::string advice = "use larger texels", elements = std::to_string(texels) + " elements";
+  if (texels > maxElements)
+    raster::refuseSize(file,
+                       "the scene becomes " + elements + ", more than " + std::to_string(maxElements) +
+                           "; they take about " + raster::memoryText(texels * bytesPerElement) + " of memory, and long",
+                       advice);
+  raster::requireMemory(texels * bytesPerElement, file, "the scene with " + elements, advice);
 }
 
 DiscretizationSettings settingsForPages(const Scene& scene, int pages, int side, DiscretizationSettings settings) {

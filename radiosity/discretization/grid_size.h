@@ -2,6 +2,8 @@
 /// packed pages.
 #pragma once
 
+#include <cstdint>
+#include <span>
 #include <vector>
 
 #include "radiosity/discretization/discretization.h"
@@ -26,6 +28,16 @@ GridSize gridSizeOf(const Surface& surface, const DiscretizationSettings& settin
 
 /// The grid of each surface, as `discretize` divides the scene.
 std::vector<GridSize> gridSizesOf(const Scene& scene, const DiscretizationSettings& settings);
+
+/// The number of texels of all grids. Phantoms make the number of elements smaller.
+std::uint64_t totalTexels(std::span<const GridSize> sizes);
+
+/// The memory that a run takes per element, as measured (see docs/performance.md).
+inline constexpr std::uint64_t bytesPerElement = 100;
+
+/// Throws InputError for 2^32 - 1 texels or more in total, because they and item IDs are 32-bit numbers. Throws
+/// SizeError for more than 2^24, and if they do not fit into the free memory.
+void requireAffordable(const Scene& scene, std::span<const GridSize> sizes);
 
 /// Returns `settings` with the smallest texel size, to a thousandth, for which all grids fit `pages` packed pages (see
 /// IndexMaps::Packed). Pages have side x side texels, and `side` is a power of two. No grid is longer than a page. For

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <glm/glm.hpp>
 #include <iosfwd>
 #include <limits>
@@ -115,7 +116,7 @@ struct ImportedCamera {
 
 struct GltfImport {
   std::vector<ImportedMaterial> materials;
-  std::vector<ImportedImage> images;
+  std::vector<ImportedImage> images;     ///< one per file or range of bytes, however many images of the file name it
   std::vector<ImportedNode> nodes;       ///< in the order of a walk from the roots of the scene, children after parents
   std::vector<ImportedPart> parts;       ///< in the order of the nodes
   std::optional<ImportedCamera> camera;  ///< the first one with a perspective
@@ -137,11 +138,19 @@ struct GltfWriter {
   void (*write)(GltfModel model, std::ostream& stream);
 };
 
+/// Asks for memory before it is taken, and throws if it is not there.
+struct ImportBudget {
+  std::function<void(std::uint64_t bytes, const std::string& file)> forFile;
+  /// For the triangles of all nodes together, and the vertices of their meshes.
+  std::function<void(std::uint64_t triangles, std::uint64_t vertices)> forMeshes;
+};
+
 /// What the module exports under the name `hemitexGltfReader`.
 struct GltfReader {
   /// Reads the bytes of a .gltf or .glb file. Files that it names are read from `folder` and below, never from
-  /// elsewhere. Throws nothing but std::bad_alloc.
-  ImportProblem (*read)(const std::string& bytes, const std::string& folder, GltfImport& import);
+  /// elsewhere. Throws nothing but std::bad_alloc and what `budget` throws.
+  ImportProblem (*read)(const std::string& bytes, const std::string& folder, const ImportBudget& budget,
+                        GltfImport& import);
 };
 
 /// Opens the module at the first call. Throws std::runtime_error where it is not found.

@@ -6,7 +6,9 @@
 #include <string>
 
 #include "radiosity/images/module_calls.h"
+#include "raster/base/file_io.h"
 #include "raster/base/input_error.h"
+#include "raster/base/memory_budget.h"
 
 namespace hemitex::radiosity {
 namespace {
@@ -84,7 +86,7 @@ class RowCollector {
 
   /// Throws InputError, with the name of the file, for a value that is not finite.
   void add(const ImageSamples& rows, int height) {
-    if (image_.width == 0) begin(rows.width, height);
+    if (image_.width == 0) begin(rows, height);
     if (!rows.codes.empty()) {
       const std::array<double, 256>& decoded = decodedCodes();
       addRows(rows, rows.codes, [&](std::uint8_t code) { return decoded[code]; });
@@ -96,18 +98,28 @@ class RowCollector {
   Image image() && { return std::move(image_); }
 
  private:
-  void begin(int width, int height) {
+  /// Some decoders need memory for the whole image as it is in the file.
+  void begin(const ImageSamples& rows, int height) {
+    const int width = rows.width;
     sourceWidth_ = width;
     sourceHeight_ = height;
     int shift = 0;
     const auto reduced = [&shift](int length) { return ((length - 1) >> shift) + 1; };
-    while (static_cast<std::uint64_t>(reduced(width)) * static_cast<std::uint64_t>(reduced(height)) > maxKeptPixels)
-      ++shift;
+    while (pixelsOf(reduced(width), reduced(height)) > maxKeptPixels) ++shift;
     image_.width = reduced(width);
     image_.height = reduced(height);
+    raster::requireMemory(sizeof(glm::dvec3) * pixelsOf(image_.width, image_.height) +
+                              static_cast<std::uint64_t>(rows.channels) * pixelsOf(width, height),
+                          file_.string(),
+                          "the image of " + std::to_string(width) + " x " + std::to_string(height) + " pixels",
+                          "scale it down");
     sums_.resize(static_cast<std::size_t>(image_.width));
     counts_.resize(sums_.size());
     image_.pixels.reserve(sums_.size() * static_cast<std::size_t>(image_.height));
+  }
+
+  static std::uint64_t pixelsOf(int width, int height) {
+    return static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height);
   }
 
   /// The new row or column of an old one.
@@ -194,11 +206,7 @@ glm::dvec3 bilinear(const Image& image, const glm::dvec2& uv) { return bilinearI
 glm::dvec3 bilinear(const CodedImage& image, const glm::dvec2& uv) { return bilinearIn(image, uv); }
 
 Image readImage(const std::filesystem::path& file) {
-  std::error_code ignored;
-  const std::filesystem::file_status status = std::filesystem::status(file, ignored);
-  if (!std::filesystem::is_regular_file(status))
-    throw raster::InputError(file.string(), 0,
-                             std::filesystem::exists(status) ? "is not a regular file" : "does not exist");
+  const raster::InputFile opened = raster::openFile(file);  // OpenImageIO would wait for a pipe
   RowCollector collector(file);
   const auto receive = [&collector](const ImageSamples& rows, int height) { collector.add(rows, height); };
   throwIfAny(functionsFor(file).read(file.string(), maxPixels, receive), file);

@@ -12,6 +12,8 @@ using namespace std::string_literals;
 
 const ImageFunctions& functionsFor(const std::filesystem::path& file) try {
   return imageFunctions();
+} catch (const raster::InputError&) {
+  throw;
 } catch (const std::runtime_error& error) {
   throw raster::InputError(file.string(), 0, "needs the module for images, which cannot be opened: "s + error.what(),
                            "install hemitex again, or build it with CMake");

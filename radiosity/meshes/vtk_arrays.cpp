@@ -6,6 +6,7 @@
 #include <array>
 
 #include "raster/base/input_error.h"
+#include "raster/base/memory_budget.h"
 
 namespace hemitex::radiosity {
 namespace {
@@ -110,6 +111,7 @@ std::string VtkArrays::decode(std::string_view text, bool isBase64, std::uint64_
   if (packed.size() != packedBytes) fail("an array ends too early");
   const std::uint64_t blockBytes = headerNumber(header, 1), lastBytes = headerNumber(header, 2);
   std::string result;
+  result.reserve(std::min(limit, raster::saturatedProduct(first, blockBytes)));
   std::size_t at = 0;
   for (std::size_t block = 0; block < first; ++block) {
     const std::uint64_t bytes = block + 1 == first && lastBytes > 0 ? lastBytes : blockBytes;
@@ -143,7 +145,11 @@ std::vector<double> VtkArrays::numbers(const pugi::xml_node& array, std::uint64_
   if (!array) fail("an array of the mesh is missing");
   const NumberType type = typeNamed(array.attribute("type").value(), {file_});
   const bool isText = std::string_view(array.attribute("format").value()) == "ascii";
-  const std::string bytes = isText ? std::string(array.text().get()) : bytesOf(array, count * radiosity::bytesOf(type));
+  // The bytes of the array, packed and unpacked, and its numbers.
+  raster::requireMemory(raster::saturatedProduct(count, 2 * radiosity::bytesOf(type) + sizeof(double)), file_.string(),
+                        "the array " + raster::excerpt(array.attribute("Name").value()));
+  const std::string bytes = isText ? std::string(array.text().get())
+                                   : bytesOf(array, raster::saturatedProduct(count, radiosity::bytesOf(type)));
   NumberSource source(bytes, isText ? NumberEncoding::Text : order_, {file_});
   source.require(type, count);
   std::vector<double> result(count);

@@ -7,6 +7,7 @@
 #include "radiosity/meshes/vtk_arrays.h"
 #include "radiosity/meshes/vtk_cells.h"
 #include "raster/base/input_error.h"
+#include "raster/base/memory_budget.h"
 
 namespace hemitex::radiosity {
 namespace {
@@ -28,6 +29,20 @@ Divided divide(std::string_view bytes) {
 
 pugi::xml_node arrayNamed(const pugi::xml_node& parent, const char* name) {
   return parent.find_child_by_attribute("DataArray", "Name", name);
+}
+
+/// The pieces are counted before they are read, because several may name one array.
+void requireMemoryFor(const auto& pieces, const std::filesystem::path& file) {
+  std::uint64_t points = 0, cells = 0;
+  for (const pugi::xml_node& piece : pieces) {
+    points += piece.attribute("NumberOfPoints").as_uint();
+    for (const char* name : {"NumberOfCells", "NumberOfPolys"}) cells += piece.attribute(name).as_uint();
+  }
+  if (points > std::numeric_limits<std::uint32_t>::max()) fail({file}, "has more than 2^32 points", "divide it");
+  constexpr std::uint64_t cellBytes = sizeof(MeshPolygon) + 3 * sizeof(MeshCorner);
+  raster::requireMemory(points * sizeof(glm::dvec3) + cells * cellBytes, file.string(),
+                        "the mesh of " + std::to_string(points) + " points and " + std::to_string(cells) + " cells",
+                        "divide it");
 }
 
 /// The cells of a piece; `first` is the number of its first point in the mesh.
@@ -128,6 +143,7 @@ PolygonMesh parseVtkXml(std::string_view bytes, const std::filesystem::path& fil
   PolygonMesh mesh{.sections = {{0, ""}}, .objects = {{"default"}}};
   for (const std::string& name : cellData) mesh.arrays.push_back({name});
   std::uint32_t leftOut = 0;
+  requireMemoryFor((grid ? grid : poly).children("Piece"), file);
   for (const pugi::xml_node& piece : (grid ? grid : poly).children("Piece"))
     PieceReader(arrays, file, mesh, leftOut).read(piece, !grid);
   finishVtkMesh(mesh, leftOut, file);

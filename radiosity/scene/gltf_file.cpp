@@ -5,6 +5,7 @@
 #include <limits>
 #include <map>
 #include <stdexcept>
+#include <string_view>
 #include <utility>
 
 #include "radiosity/gltf/gltf_module.h"
@@ -12,6 +13,7 @@
 #include "radiosity/scene/mtl_file.h"
 #include "raster/base/file_io.h"
 #include "raster/base/input_error.h"
+#include "raster/base/memory_budget.h"
 
 namespace hemitex::radiosity {
 namespace {
@@ -24,9 +26,20 @@ constexpr double grey = 0.5;
 GltfImport import(const std::filesystem::path& file) {
   const std::string bytes = raster::readFile(file, "check the path, and that it is a file you may read");
   const std::string folder = file.has_parent_path() ? file.parent_path().string() : ".";
+  raster::RunningRequest ofFiles(file.string(), "the set of files that it names");
+  const ImportBudget budget{
+      [&](std::uint64_t size, const std::string&) { ofFiles.add(size); },
+      [&](std::uint64_t triangles, std::uint64_t vertices) {
+        constexpr std::uint64_t bytesPerVertex = 2 * sizeof(glm::dvec3);
+        raster::requireMemory(raster::saturatedSum(raster::saturatedProduct(triangles, bytesPerTriangle),
+                                                   raster::saturatedProduct(vertices, bytesPerVertex)),
+                              file.string(),
+                              "the scene of " + std::to_string(triangles) + " triangles, with those that nodes repeat,",
+                              "divide it");
+      }};
   GltfImport imported;
   try {
-    const ImportProblem problem = gltfReader().read(bytes, folder, imported);
+    const ImportProblem problem = gltfReader().read(bytes, folder, budget, imported);
     if (!problem.problem.empty()) throw InputError(file.string(), 0, problem.problem, problem.advice);
   } catch (const InputError&) {
     throw;
@@ -99,7 +112,7 @@ class MeshBuilder {
 class DecodedImages {
  public:
   DecodedImages(const GltfFile& gltf, const std::filesystem::path& file, MaterialSet& set)
-      : gltf_(gltf), file_(file), set_(set) {}
+      : gltf_(gltf), file_(file), set_(set), memory_(file.string(), imagesOfScene) {}
 
   /// The index of an image in the set; nothing, with a warning, if it is missing or broken.
   std::optional<int> decode(int image) {
@@ -115,7 +128,11 @@ class DecodedImages {
       return {};
     }
     try {
-      set_.images.push_back(decodeImage(image.bytes, file_.string() + ": " + image.name));
+      Image decoded = decodeImage(image.bytes, file_.string() + ": " + image.name);
+      memory_.add(decoded.pixels.size() * sizeof decoded.pixels[0]);
+      set_.images.push_back(std::move(decoded));
+    } catch (const raster::SizeError&) {
+      throw;
     } catch (const InputError& error) {
       set_.warnings.push_back(std::string(error.what()) + "; 0.5 stands for it");
       return {};
@@ -126,6 +143,7 @@ class DecodedImages {
   const GltfFile& gltf_;
   const std::filesystem::path& file_;
   MaterialSet& set_;
+  raster::RunningRequest memory_;
   std::map<int, std::optional<int>> decoded_;
 };
 
@@ -173,11 +191,11 @@ MaterialSet gltfMaterials(const std::vector<std::string>& names, const GltfFile&
   MaterialSet set;
   set.files = gltf.files;
   DecodedImages images(gltf, file, set);
+  std::map<std::string_view, const ImportedMaterial*> materials;
+  for (const ImportedMaterial& material : gltf.materials) materials.emplace(material.name, &material);
   for (const std::string& name : names) {
-    const auto given = std::find_if(gltf.materials.begin(), gltf.materials.end(),
-                                    [&](const ImportedMaterial& material) { return material.name == name; });
-    if (given != gltf.materials.end()) {
-      set.materials.push_back(materialOf(*given, images, file, settings, set.warnings));
+    if (const auto given = materials.find(name); given != materials.end()) {
+      set.materials.push_back(materialOf(*given->second, images, file, settings, set.warnings));
     } else {
       set.materials.push_back({.name = "default"});
       set.warnings.push_back("faces without a material become grey 0.5");

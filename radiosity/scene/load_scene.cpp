@@ -4,7 +4,6 @@
 #include <array>
 #include <cctype>
 #include <cmath>
-#include <fstream>
 #include <iterator>
 #include <limits>
 #include <map>
@@ -13,6 +12,7 @@
 #include <string_view>
 #include <utility>
 
+#include "radiosity/base/unique_names.h"
 #include "radiosity/meshes/legacy_vtk_file.h"
 #include "radiosity/meshes/obj_file.h"
 #include "radiosity/meshes/ply_file.h"
@@ -28,6 +28,7 @@
 #include "radiosity/scene/section_charts.h"
 #include "raster/base/file_io.h"
 #include "raster/base/input_error.h"
+#include "raster/base/memory_budget.h"
 #include "raster/base/short_number.h"
 
 namespace hemitex::radiosity {
@@ -103,12 +104,10 @@ const MeshFormat* meshFormatOf(const std::filesystem::path& file) {
 
 /// Throws InputError for a file that is not what its name says, by its name or its first bytes.
 void refuseForeignFormat(const std::filesystem::path& file) {
-  std::error_code ignored;
-  if (!std::filesystem::is_regular_file(file, ignored)) return;  // reading it says why
-  std::ifstream stream(file, std::ios::binary);
+  const raster::InputFile opened = raster::tryOpenFile(file);
+  if (!opened) return;  // reading it says why
   std::array<char, 16> bytes{};
-  stream.read(bytes.data(), bytes.size());
-  const std::string_view start(bytes.data(), static_cast<std::size_t>(stream.gcount()));
+  const std::string_view start(bytes.data(), std::fread(bytes.data(), 1, bytes.size(), opened.get()));
   for (const ForeignFormat& format : foreignFormats)
     if (endingOf(file) == format.ending || (!format.start.empty() && start.starts_with(format.start)))
       fail({file}, "is " + std::string(format.name) + ", which is not read", "export it as OBJ, glTF, STL, PLY or VTU");
@@ -121,8 +120,12 @@ void refuseForeignFormat(const std::filesystem::path& file) {
 
 /// The faces of a file that is no glTF.
 PolygonMesh readMesh(const std::filesystem::path& file, CellNames cellData) {
-  if (const MeshFormat* plain = meshFormatOf(file))
-    return plain->parse(raster::readFile(file, "check the path, and that it is a file you may read"), file, cellData);
+  if (const MeshFormat* plain = meshFormatOf(file)) {
+    const std::string bytes = raster::readFile(file, "check the path, and that it is a file you may read");
+    constexpr std::uint64_t copies = 2;  // as a tree of elements, and as a mesh
+    raster::requireMemory(copies * bytes.size(), file.string(), "the mesh in the file", "divide it");
+    return plain->parse(bytes, file, cellData);
+  }
   refuseCellData(file, cellData);
   return readObj(file);
 }
@@ -218,8 +221,8 @@ std::vector<std::uint32_t> allSurfaces(const Scene& scene) {
 }
 
 void makeNamesUnique(std::vector<Surface>& surfaces) {
-  std::set<std::string> taken;
-  for (Surface& surface : surfaces) surface.name = uniqueName(taken, surface.name);
+  UniqueNames names;
+  for (Surface& surface : surfaces) surface.name = names.add(surface.name);
 }
 
 /// The largest emission of a material in any band.
@@ -265,6 +268,13 @@ double brightestEmission(const Scene& scene) {
   fail({file}, "the scene is empty: it has no face with area", "give a file with faces");
 }
 
+/// A polygon of n corners becomes n - 2 triangles.
+void requireMemoryFor(const PolygonMesh& mesh, const std::filesystem::path& file) {
+  const std::uint64_t triangles = mesh.corners.size() - std::min(mesh.corners.size(), 2 * mesh.polygons.size());
+  raster::requireMemory(triangles * bytesPerTriangle, file.string(),
+                        "the scene of " + std::to_string(triangles) + " triangles", "divide it");
+}
+
 }  // namespace
 
 Scene makeScene(PolygonMesh mesh, const MaterialSource& materials, const std::filesystem::path& file,
@@ -274,6 +284,7 @@ Scene makeScene(PolygonMesh mesh, const MaterialSource& materials, const std::fi
   }
   if (settings.facets && settings.sides != Sides::One)
     throw raster::InputError("facets have one side each", "leave the other sides out");
+  requireMemoryFor(mesh, file);
   Scene scene;
   if (settings.facets) divideIntoFacets(mesh);
   const std::map<std::string, Material> ofFaces = divideByMaterials(mesh, settings, file);

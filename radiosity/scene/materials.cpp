@@ -11,6 +11,7 @@
 #include "radiosity/spectra/colour.h"
 #include "raster/base/file_io.h"
 #include "raster/base/input_error.h"
+#include "raster/base/memory_budget.h"
 #include "raster/base/short_number.h"
 
 namespace hemitex::radiosity {
@@ -52,7 +53,8 @@ bool anyValue(const Image& image, Predicate predicate) {
 /// The images of maps; each file is read once.
 class MapImages {
  public:
-  explicit MapImages(MaterialSet& set) : set_(set) {}
+  explicit MapImages(MaterialSet& set)
+      : set_(set), memory_(set.files.empty() ? std::string() : set.files.front().string(), imagesOfScene) {}
 
   /// The image of a map; nothing, with a warning, if it cannot be read.
   std::optional<int> emission(const MapStatement& map, const Definition& definition) {
@@ -63,7 +65,8 @@ class MapImages {
     }
     if (map.hasOptions) set_.warnings.push_back(owner + "the options of its maps are ignored");
     const std::filesystem::path file = definition.file.parent_path() / map.image;
-    const auto [known, isNew] = read_.try_emplace(file);
+    std::error_code ignored;
+    const auto [known, isNew] = read_.try_emplace(std::filesystem::weakly_canonical(file, ignored));
     if (isNew) known->second = read(file);
     return known->second;
   }
@@ -74,6 +77,7 @@ class MapImages {
     if (!image || !anyValue(imageAt(*image), [](double value) { return value > 1; })) return image;
     const auto [known, isNew] = lowered_.try_emplace(*image, static_cast<int>(set_.images.size()));
     if (isNew) {
+      memory_.add(bytesOf(imageAt(*image)));
       Image lowered = imageAt(*image);
       for (glm::dvec3& pixel : lowered.pixels) pixel = glm::min(pixel, glm::dvec3(1.0));
       set_.images.push_back(std::move(lowered));
@@ -84,12 +88,16 @@ class MapImages {
   }
 
  private:
+  static std::uint64_t bytesOf(const Image& image) { return image.pixels.size() * sizeof image.pixels[0]; }
   const Image& imageAt(int index) const { return set_.images[static_cast<std::size_t>(index)]; }
 
   std::optional<int> read(const std::filesystem::path& file) {
     Image image;
     try {
       image = readImage(file);
+      memory_.add(bytesOf(image));
+    } catch (const raster::SizeError&) {
+      throw;
     } catch (const raster::InputError& error) {
       set_.warnings.push_back(std::string(error.what()) + "; 0.5 stands for it");
       return {};
@@ -101,6 +109,7 @@ class MapImages {
   }
 
   MaterialSet& set_;
+  raster::RunningRequest memory_;
   std::map<std::filesystem::path, std::optional<int>> read_;
   std::map<int, int> lowered_;  ///< from images to their copies without values above 1
 };

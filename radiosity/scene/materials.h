@@ -24,6 +24,9 @@ struct MaterialSet {
 /// The warning, without its subject, for a material that lets light through by a statement of its file.
 std::string opaqueWarning(const std::string& statement);
 
+/// What all images of a scene together are called in messages about memory.
+inline constexpr const char* imagesOfScene = "the set of images of its materials";
+
 /// Lowers bands of 1 or more to `maxReflectance`. Returns a warning without its subject, or nothing if none is lowered.
 std::optional<std::string> lowerReflectance(glm::dvec3& reflectance, double maxReflectance);
 

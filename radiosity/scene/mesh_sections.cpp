@@ -7,6 +7,7 @@
 #include <span>
 #include <tuple>
 
+#include "radiosity/base/unique_names.h"
 #include "radiosity/geometry/mesh_charts.h"
 #include "radiosity/geometry/triangulation.h"
 
@@ -172,12 +173,12 @@ std::vector<Section> cutIntoSections(const PolygonMesh& mesh, std::vector<std::s
   for (std::size_t s = 0; s < sections.size(); ++s) {
     if (!sections[s].triangles.empty()) ++sectionsOfObject[mesh.sections[s].object];
   }
-  std::set<std::string> taken;
+  UniqueNames names;
   for (std::size_t s = 0; s < sections.size(); ++s) {
     if (sections[s].triangles.empty()) continue;
     const auto& [object, material] = mesh.sections[s];
     const std::string &name = mesh.objects[object].name, suffix = "/" + (material.empty() ? "default" : material);
-    sections[s].family = uniqueName(taken, sectionsOfObject[object] > 1 ? name + suffix : name);
+    sections[s].family = names.add(sectionsOfObject[object] > 1 ? name + suffix : name);
     sections[s].material = material;
     sections[s].object = object;
   }
@@ -185,12 +186,6 @@ std::vector<Section> cutIntoSections(const PolygonMesh& mesh, std::vector<std::s
   std::stable_sort(sections.begin(), sections.end(),
                    [](const Section& a, const Section& b) { return a.object < b.object; });
   return sections;
-}
-
-std::string uniqueName(std::set<std::string>& taken, const std::string& wanted) {
-  std::string name = wanted;
-  for (int n = 2; !taken.insert(name).second; ++n) name = wanted + "~" + std::to_string(n);
-  return name;
 }
 
 }  // namespace hemitex::radiosity

@@ -37,7 +37,4 @@ std::vector<Section> cutIntoSections(const PolygonMesh& mesh, std::vector<std::s
 /// its own number for a polygon that repeats none. One per polygon.
 std::vector<std::uint32_t> firstOfEqual(const PolygonMesh& mesh);
 
-/// Returns `wanted`, or the first of `wanted~2`, `wanted~3`, ... that is not in `taken`, and inserts it there.
-std::string uniqueName(std::set<std::string>& taken, const std::string& wanted);
-
 }  // namespace hemitex::radiosity

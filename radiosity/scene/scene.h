@@ -47,8 +47,8 @@ struct Surface {
       triangles;  ///< in file order; never empty, all with area (see hasArea) in space and in the chart
   /// Surfaces of one family with the same number are charts of one curved part of the mesh.
   std::optional<std::uint32_t> curvedPart = {};
-  std::optional<int> twin = {};    ///< of a two-sided surface: the surface of the other side
-  std::optional<int> object = {};  ///< in Scene::objects; one without it is an object of its own
+  std::optional<int> twin = {};               ///< of a two-sided surface: the surface of the other side
+  std::optional<int> object = {};             ///< in Scene::objects; one without it is an object of its own
   std::optional<std::uint32_t> imageOf = {};  ///< the surface of which this one is an image (see symmetry.h)
 };
 
@@ -93,6 +93,9 @@ void turnOver(Surface& surface);
 
 /// The number of triangles of all surfaces. Triangles are numbered through the scene, surface by surface.
 std::size_t triangleCount(const Scene& scene);
+
+/// The memory that a scene takes per triangle while it is read and solved, as measured (see docs/performance.md).
+inline constexpr std::uint64_t bytesPerTriangle = 800;
 
 /// The sum over the RGB bands.
 inline double bandSum(const glm::dvec3& bands) { return bands.x + bands.y + bands.z; }

@@ -8,8 +8,8 @@
 #include <set>
 #include <utility>
 
+#include "radiosity/base/unique_names.h"
 #include "radiosity/scene/load_scene.h"
-#include "radiosity/scene/mesh_sections.h"
 #include "radiosity/scene/mtl_file.h"
 #include "raster/base/input_error.h"
 #include "raster/base/name_suggestions.h"
@@ -198,15 +198,19 @@ class Editor {
 
   /// Gives added surfaces names and families that neither the scene nor `removed` has.
   void rename(std::vector<Surface>& added) const {
-    std::set<std::string> taken;
+    UniqueNames families, names;
     for (const std::vector<Surface>* surfaces : {&scene_.surfaces, &removed_})
-      for (const Surface& surface : *surfaces) taken.insert({surface.name, surface.family});
-    std::map<std::string, std::string> families;
-    std::set<std::string> names = taken;
+      for (const Surface& surface : *surfaces)
+        for (const std::string& name : {surface.name, surface.family}) {
+          families.take(name);
+          names.take(name);
+        }
+    std::map<std::string, std::string> newNames;  // of families
     for (Surface& surface : added) {
-      if (!families.contains(surface.family)) families[surface.family] = uniqueName(taken, surface.family);
-      const std::string& family = families[surface.family];
-      surface.name = uniqueName(names, family + surface.name.substr(surface.family.size()));
+      const auto [known, isNew] = newNames.try_emplace(surface.family);
+      if (isNew) known->second = families.add(surface.family);
+      const std::string& family = known->second;
+      surface.name = names.add(family + surface.name.substr(surface.family.size()));
       surface.family = family;
     }
   }

@@ -23,7 +23,10 @@ void removeBroken(const std::filesystem::path& file) {
 
 std::string whyUnreadable(const std::filesystem::path& file) {
   std::error_code ignored;
-  return std::filesystem::is_other(file, ignored) ? "is a pipe or a device, not a file" : "cannot be read";
+  const std::filesystem::file_status status = std::filesystem::status(file, ignored);
+  if (std::filesystem::is_other(status)) return "is a pipe or a device, not a file";
+  if (std::filesystem::is_directory(status)) return "cannot be read: it is a folder";
+  return std::filesystem::exists(status) ? "cannot be read" : "cannot be read: it does not exist";
 }
 
 }  // namespace

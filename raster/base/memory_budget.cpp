@@ -47,13 +47,6 @@ std::uint64_t freeInSystem(const std::filesystem::path& root) {
   return kibibytes ? *kibibytes << 10 : unlimited;
 }
 
-std::uint64_t freeInAddressSpace(const std::filesystem::path& root) {
-  rlimit limit{};
-  if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return unlimited;
-  const std::uint64_t pages = numberOf(root / "proc/self/statm").value_or(0);
-  return difference(limit.rlim_cur, pages * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE)));
-}
-
 /// Pages of files that were not used lately are dropped where a group needs memory.
 std::uint64_t freeInGroup(const std::filesystem::path& group) {
   const auto limit = numberOf(group / "memory.max"), used = numberOf(group / "memory.current");
@@ -91,8 +84,15 @@ void requireFree(std::uint64_t bytes, std::uint64_t total, const std::string& fi
 
 }  // namespace
 
+std::uint64_t freeAddressSpace(const std::filesystem::path& root) {
+  rlimit limit{};
+  if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return unlimited;
+  const std::uint64_t pages = numberOf(root / "proc/self/statm").value_or(0);
+  return difference(limit.rlim_cur, pages * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE)));
+}
+
 std::optional<std::uint64_t> freeMemory(const std::filesystem::path& root) {
-  const std::uint64_t least = std::min({freeInSystem(root), freeInAddressSpace(root), freeInGroups(root)});
+  const std::uint64_t least = std::min({freeInSystem(root), freeAddressSpace(root), freeInGroups(root)});
   return least == unlimited ? std::nullopt : std::optional(least);
 }
 

@@ -17,6 +17,9 @@ namespace hemitex::raster {
 /// system says none of them. `root` is the folder that holds `proc` and `sys`.
 std::optional<std::uint64_t> freeMemory(const std::filesystem::path& root = "/");
 
+/// What the limit of the address space leaves; the largest number without a limit.
+std::uint64_t freeAddressSpace(const std::filesystem::path& root = "/");
+
 /// The part of the free memory that is never promised: stacks of threads, shared libraries that are opened later, and
 /// the many small allocations that nobody counts.
 inline constexpr std::uint64_t memoryReserve = std::uint64_t{64} << 20;

@@ -4,7 +4,6 @@
 #include <atomic>
 #include <exception>
 #include <mutex>
-#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -27,8 +26,8 @@ void forEachOnThreads(std::size_t count, std::size_t threads, const std::functio
     std::vector<std::thread> others;
     try {
       for (std::size_t k = 1; k < std::min(threads, count); ++k) others.emplace_back(work);
-    } catch (const std::system_error&) {
-      // The system starts no more threads.
+    } catch (const std::exception&) {
+      // The system starts no more threads, or there is no memory for them.
     }
     work();
     for (std::thread& other : others) other.join();

@@ -11,10 +11,14 @@
 #include <glm/gtc/quaternion.hpp>
 #include <iterator>
 #include <limits>
+#include <map>
 #include <numbers>
 #include <set>
+#include <utility>
 
+#include "radiosity/base/unique_names.h"
 #include "radiosity/gltf/gltf_module.h"
+#include "raster/base/input_error.h"
 
 namespace hemitex::radiosity {
 namespace {
@@ -224,11 +228,35 @@ glm::dmat4 localMatrix(const tinygltf::Node& node) {
   return matrix;
 }
 
-/// Returns `wanted`, or the first of `wanted~2`, `wanted~3`, ... that is not in `taken`, and inserts it there.
-std::string uniqueName(std::set<std::string>& taken, const std::string& wanted) {
-  std::string name = wanted;
-  for (int n = 2; !taken.insert(name).second; ++n) name = wanted + "~" + std::to_string(n);
-  return name;
+/// The number of values of an accessor, at most 2^32, so that sums do not overflow; 0 if there is none, which is
+/// reported when it is read.
+std::uint64_t countOf(const tinygltf::Model& gltf, int accessor) {
+  const auto index = static_cast<std::size_t>(accessor);
+  if (accessor < 0 || index >= gltf.accessors.size()) return 0;
+  return std::min<std::uint64_t>(gltf.accessors[index].count, std::uint64_t{1} << 32);
+}
+
+bool isOfTriangles(const tinygltf::Primitive& primitive) {
+  return primitive.mode == TINYGLTF_MODE_TRIANGLES || primitive.mode == TINYGLTF_MODE_TRIANGLE_STRIP ||
+         primitive.mode == TINYGLTF_MODE_TRIANGLE_FAN;
+}
+
+/// What a mesh becomes in one node.
+struct MeshSize {
+  std::uint64_t triangles = 0, vertices = 0;
+};
+
+MeshSize sizeOf(const tinygltf::Model& gltf, const tinygltf::Mesh& mesh) {
+  MeshSize size;
+  for (const tinygltf::Primitive& primitive : mesh.primitives) {
+    const auto positions = primitive.attributes.find("POSITION");
+    if (!isOfTriangles(primitive) || positions == primitive.attributes.end()) continue;
+    const std::uint64_t vertices = countOf(gltf, positions->second),
+                        corners = primitive.indices < 0 ? vertices : countOf(gltf, primitive.indices);
+    size.vertices += vertices;
+    size.triangles += primitive.mode == TINYGLTF_MODE_TRIANGLES ? corners / 3 : corners;
+  }
+  return size;
 }
 
 /// Collects the meshes and the camera of the nodes of a scene.
@@ -237,7 +265,7 @@ class NodeReader {
   NodeReader(const tinygltf::Model& gltf, GltfImport& import)
       : gltf_(gltf), import_(import), isVisited_(gltf.nodes.size()) {}
 
-  /// Reads the node and all below it. A stack, because a file may nest nodes deeper than calls may be.
+  /// Reads the node and all below it, but no mesh. A stack, because a file may nest nodes deeper than calls may be.
   void readTree(int root) {
     struct Open {
       int index = 0;
@@ -255,44 +283,61 @@ class NodeReader {
       const glm::dmat4 toWorld = parentToWorld * localMatrix(node);
       const auto number = static_cast<int>(import_.nodes.size());
       import_.nodes.push_back({node.name.empty() ? "node-" + std::to_string(index) : node.name, parent});
-      if (node.mesh >= 0) readMesh(node, index, toWorld);
+      if (node.mesh >= 0) instances_.push_back({index, number, toWorld});
       if (node.camera >= 0) readCamera(node, toWorld);
       for (auto child = node.children.rbegin(); child != node.children.rend(); ++child)
         open.push_back({*child, number, toWorld});
     }
   }
 
-  void warn() {
+  /// Reads the meshes of all nodes. They are counted first, because a small file may repeat a mesh many times.
+  void readMeshes(const ImportBudget& budget) {
+    std::vector<MeshSize> ofMesh;
+    for (const tinygltf::Mesh& mesh : gltf_.meshes) ofMesh.push_back(sizeOf(gltf_, mesh));
+    MeshSize all;
+    for (const Instance& instance : instances_) {
+      const MeshSize& size = itemAt(ofMesh, gltf_.nodes[static_cast<std::size_t>(instance.node)].mesh, "mesh");
+      all.triangles += size.triangles;
+      all.vertices += size.vertices;
+    }
+    budget.forMeshes(all.triangles, all.vertices);
+    for (const Instance& instance : instances_) readMesh(instance);
     if (otherPrimitives_ > 0)
       import_.warnings.push_back(numbered("points and lines are left out; primitives:", otherPrimitives_));
   }
 
  private:
-  void readMesh(const tinygltf::Node& node, int index, const glm::dmat4& toWorld) {
-    const tinygltf::Mesh& mesh = itemAt(gltf_.meshes, node.mesh, "mesh");
+  /// A node with a mesh.
+  struct Instance {
+    int node = 0;      // of the file
+    int imported = 0;  // in the import
+    glm::dmat4 toWorld{1.0};
+  };
+
+  void readMesh(const Instance& instance) {
+    const tinygltf::Node& node = gltf_.nodes[static_cast<std::size_t>(instance.node)];
+    const tinygltf::Mesh& mesh = gltf_.meshes[static_cast<std::size_t>(node.mesh)];
     std::string name = node.name.empty() ? mesh.name : node.name;
-    if (name.empty()) name = "node-" + std::to_string(index);
-    name = uniqueName(names_, name);
-    import_.nodes.back().name = name;
+    if (name.empty()) name = "node-" + std::to_string(instance.node);
+    name = names_.add(name);
+    import_.nodes[static_cast<std::size_t>(instance.imported)].name = name;
     for (const tinygltf::Primitive& primitive : mesh.primitives) {
       try {
-        readPrimitive(primitive, toWorld);
+        readPrimitive(primitive, instance);
       } catch (const Fault& fault) {
         throw Fault{"the mesh of node `" + name + "`: " + fault.problem, fault.advice};
       }
     }
   }
 
-  void readPrimitive(const tinygltf::Primitive& primitive, const glm::dmat4& toWorld) {
-    const bool isOfTriangles = primitive.mode == TINYGLTF_MODE_TRIANGLES ||
-                               primitive.mode == TINYGLTF_MODE_TRIANGLE_STRIP ||
-                               primitive.mode == TINYGLTF_MODE_TRIANGLE_FAN;
-    if (!isOfTriangles) {
+  void readPrimitive(const tinygltf::Primitive& primitive, const Instance& instance) {
+    const glm::dmat4& toWorld = instance.toWorld;
+    if (!isOfTriangles(primitive)) {
       ++otherPrimitives_;
       return;
     }
     ImportedPart part;
-    part.node = static_cast<int>(import_.nodes.size()) - 1;
+    part.node = instance.imported;
     if (primitive.material >= 0) {
       itemAt(gltf_.materials, primitive.material, "material");
       part.material = primitive.material;
@@ -321,7 +366,8 @@ class NodeReader {
   const tinygltf::Model& gltf_;
   GltfImport& import_;
   std::vector<bool> isVisited_;
-  std::set<std::string> names_;
+  std::vector<Instance> instances_;  // in the order of the walk
+  UniqueNames names_;
   std::size_t otherPrimitives_ = 0;
 };
 
@@ -357,12 +403,11 @@ double emissiveStrength(const tinygltf::Material& material) {
   return strength.IsNumber() ? strength.GetNumberAsDouble() : 1;
 }
 
-/// The image of a texture, if there is one.
-std::optional<int> imageOf(const tinygltf::Model& gltf, int texture, int texcoord, const std::string& material,
-                           GltfImport& import) {
+/// The image of a texture in the import, if there is one.
+std::optional<int> imageOf(const tinygltf::Model& gltf, const std::vector<int>& images, int texture, int texcoord,
+                           const std::string& material, GltfImport& import) {
   if (texture < 0) return {};
-  const int image = itemAt(gltf.textures, texture, "texture").source;
-  itemAt(gltf.images, image, "image");
+  const int image = itemAt(images, itemAt(gltf.textures, texture, "texture").source, "image");
   if (texcoord != 0)
     import.warnings.push_back("material '" + material + "': its texture uses other coordinates than the first ones");
   return image;
@@ -379,61 +424,81 @@ std::string transparencyOf(const tinygltf::Material& material) {
   return material.alphaMode == "BLEND" || material.alphaMode == "MASK" ? "alphaMode " + material.alphaMode : "";
 }
 
-std::vector<ImportedMaterial> materialsOf(const tinygltf::Model& gltf, GltfImport& import) {
+/// `images` has the number in the import of each image of the file.
+std::vector<ImportedMaterial> materialsOf(const tinygltf::Model& gltf, const std::vector<int>& images,
+                                          GltfImport& import) {
   std::vector<ImportedMaterial> materials;
-  std::set<std::string> names;
+  UniqueNames names;
   for (std::size_t m = 0; m < gltf.materials.size(); ++m) {
     const tinygltf::Material& given = gltf.materials[m];
     ImportedMaterial material;
-    material.name = uniqueName(names, given.name.empty() ? "material-" + std::to_string(m) : given.name);
+    material.name = names.add(given.name.empty() ? "material-" + std::to_string(m) : given.name);
     const std::string owner = "material '" + material.name + "'";
     const tinygltf::PbrMetallicRoughness& pbr = given.pbrMetallicRoughness;
     material.baseColor = factorOf(pbr.baseColorFactor, glm::dvec3(1.0), owner);
     material.baseColorImage =
-        imageOf(gltf, pbr.baseColorTexture.index, pbr.baseColorTexture.texCoord, material.name, import);
+        imageOf(gltf, images, pbr.baseColorTexture.index, pbr.baseColorTexture.texCoord, material.name, import);
     const double strength = emissiveStrength(given);
     material.emission = factorOf(given.emissiveFactor, glm::dvec3(0.0), owner);
     material.emission =
         factorOf({material.emission.x * strength, material.emission.y * strength, material.emission.z * strength},
                  glm::dvec3(0.0), owner);
     material.emissionImage =
-        imageOf(gltf, given.emissiveTexture.index, given.emissiveTexture.texCoord, material.name, import);
+        imageOf(gltf, images, given.emissiveTexture.index, given.emissiveTexture.texCoord, material.name, import);
     material.transparency = transparencyOf(given);
     materials.push_back(std::move(material));
   }
   return materials;
 }
 
-std::vector<ImportedImage> imagesOf(const tinygltf::Model& gltf) {
-  std::vector<ImportedImage> images;
+/// The number of a key, `next` if it is new; and whether it is.
+template <typename Key>
+std::pair<int, bool> numberOf(std::map<Key, int>& numbers, const Key& key, int next) {
+  const auto [known, isNew] = numbers.try_emplace(key, next);
+  return {known->second, isNew};
+}
+
+/// Adds the images to the import, those of one source once. Returns the number in the import of each.
+std::vector<int> readImages(const tinygltf::Model& gltf, GltfImport& import) {
+  std::vector<int> numbers;
+  std::map<std::string, int> ofFile;
+  std::map<std::pair<const unsigned char*, std::size_t>, int> ofRange;
   for (std::size_t i = 0; i < gltf.images.size(); ++i) {
     const tinygltf::Image& given = gltf.images[i];
-    ImportedImage image{"image " + std::to_string(i), given.image};
-    if (!given.uri.empty()) image.name = given.uri;
-    if (given.bufferView >= 0) {
-      const Bytes bytes = bytesOf(gltf, given.bufferView);
-      image.bytes.assign(bytes.first, bytes.first + bytes.size);
-    }
-    images.push_back(std::move(image));
+    Bytes bytes{given.image.data(), given.image.size()};
+    if (given.bufferView >= 0) bytes = bytesOf(gltf, given.bufferView);
+    const auto next = static_cast<int>(import.images.size());
+    const bool isFile = given.bufferView < 0 && !given.uri.empty();
+    const auto [number, isNew] =
+        isFile ? numberOf(ofFile, given.uri, next) : numberOf(ofRange, std::pair(bytes.first, bytes.size), next);
+    numbers.push_back(number);
+    if (isNew)
+      import.images.push_back({given.uri.empty() ? "image " + std::to_string(i) : given.uri,
+                               { bytes.first,
+                                 bytes.first + bytes.size }});
   }
-  return images;
+  return numbers;
 }
 
 // ---- Files ---------------------------------------------------------------------------------------------------------
 
-/// Keeps the bytes of an image from a file or a data URI. Those of buffer views are read later, after a check of their
-/// range, which tinygltf omits.
-bool keepImage(tinygltf::Image* image, int, std::string*, std::string*, int, int, const unsigned char* bytes, int size,
-               void*) {
-  if (image->bufferView < 0) image->image.assign(bytes, bytes + size);
-  return true;
-}
-
 /// The folder of the scene, and the files in it that were read.
 struct SceneFolder {
   const std::string& name;
+  const ImportBudget& budget;
   std::vector<std::string>& read;
+  std::set<std::string> images = {};  ///< whose bytes are kept
 };
+
+/// Keeps the bytes of an image from a file, once per file, or a data URI. Those of buffer views are read later, after a
+/// check of their range, which tinygltf omits.
+bool keepImage(tinygltf::Image* image, int, std::string*, std::string*, int, int, const unsigned char* bytes, int size,
+               void* folder) {
+  if (image->bufferView >= 0) return true;
+  if (image->uri.empty() || static_cast<SceneFolder*>(folder)->images.insert(image->uri).second)
+    image->image.assign(bytes, bytes + size);
+  return true;
+}
 
 /// Whether a name leads to a file in the folder of the scene or below it.
 bool isInside(const std::string& name, const std::string& folder) {
@@ -449,7 +514,11 @@ bool fileExists(const std::string& name, void* folder) {
 }
 
 bool readWholeFile(std::vector<unsigned char>* bytes, std::string* problem, const std::string& name, void* folder) {
-  static_cast<SceneFolder*>(folder)->read.push_back(name);
+  auto& [ignored, budget, read, images] = *static_cast<SceneFolder*>(folder);
+  std::error_code unknown;
+  const std::uintmax_t size = std::filesystem::file_size(name, unknown);
+  budget.forFile(unknown ? 0 : size, name);
+  read.push_back(name);
   std::ifstream file(name, std::ios::binary);
   bytes->assign(std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>());
   if (!file.eof() && !file) *problem = "it cannot be read";
@@ -474,23 +543,22 @@ void refuseCompression(const std::string& bytes) {
                 "export it without compression (gltfpack: without -c and -cc)"};
 }
 
-tinygltf::Model parse(const std::string& bytes, const std::string& folder, std::vector<std::string>& files) {
+tinygltf::Model parse(const std::string& bytes, SceneFolder& folder) {
   constexpr const char* advice = "give a glTF 2.0 file; files that it names must lie in its folder or below";
   if (bytes.size() > std::numeric_limits<unsigned int>::max())
     throw Fault{"the file has more than 4 GiB", "divide the scene"};
   refuseCompression(bytes);
   tinygltf::TinyGLTF reader;
-  reader.SetImageLoader(keepImage, nullptr);
-  SceneFolder opened{folder, files};
-  reader.SetFsCallbacks({fileExists, sameName, readWholeFile, nullptr, &opened});
+  reader.SetImageLoader(keepImage, &folder);
+  reader.SetFsCallbacks({fileExists, sameName, readWholeFile, nullptr, &folder});
   tinygltf::Model gltf;
   std::string error, warning;  // it warns of missing images, which have no bytes
   const auto size = static_cast<unsigned int>(bytes.size());
   const bool isRead =
       bytes.starts_with("glTF")
           ? reader.LoadBinaryFromMemory(&gltf, &error, &warning, reinterpret_cast<const unsigned char*>(bytes.data()),
-                                        size, folder)
-          : reader.LoadASCIIFromString(&gltf, &error, &warning, bytes.data(), size, folder);
+                                        size, folder.name)
+          : reader.LoadASCIIFromString(&gltf, &error, &warning, bytes.data(), size, folder.name);
   if (!isRead || !error.empty()) throw Fault{"is no valid glTF: " + firstLine(error), advice};
   return gltf;
 }
@@ -516,22 +584,21 @@ void warnOfOmissions(const tinygltf::Model& gltf, GltfImport& import) {
   }
 }
 
-void readFile(const std::string& bytes, const std::string& folder, GltfImport& import) {
-  const tinygltf::Model gltf = parse(bytes, folder, import.files);
-  checkExtensions(gltf);
-  warnOfOmissions(gltf, import);
-  import.images = imagesOf(gltf);
-  import.materials = materialsOf(gltf, import);
-  NodeReader nodes(gltf, import);
-  for (const int root : rootsOf(gltf)) nodes.readTree(root);
-  nodes.warn();
-}
-
-ImportProblem read(const std::string& bytes, const std::string& folder, GltfImport& import) {
+ImportProblem read(const std::string& bytes, const std::string& folder, const ImportBudget& budget,
+                   GltfImport& import) {
   try {
-    readFile(bytes, folder, import);
+    SceneFolder opened{folder, budget, import.files};
+    const tinygltf::Model gltf = parse(bytes, opened);
+    checkExtensions(gltf);
+    warnOfOmissions(gltf, import);
+    import.materials = materialsOf(gltf, readImages(gltf, import), import);
+    NodeReader nodes(gltf, import);
+    for (const int root : rootsOf(gltf)) nodes.readTree(root);
+    nodes.readMeshes(budget);
   } catch (const Fault& fault) {
     return fault;
+  } catch (const raster::InputError&) {  // of the budget
+    throw;
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception& error) {  // of tinygltf's JSON parser

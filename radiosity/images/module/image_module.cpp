@@ -1,11 +1,29 @@
 #include "radiosity/images/image_module.h"
 
 #include "radiosity/base/module_symbol.h"
+#include "raster/base/memory_budget.h"
 
 namespace hemitex::radiosity {
 
+namespace {
+
+/// Where the libraries behind OpenImageIO, 430 MB when measured, lack address space, some crash or hang.
+void requireAddressSpace() {
+  constexpr std::uint64_t needed = std::uint64_t{512} << 20;
+  const std::uint64_t available = raster::freeAddressSpace();
+  if (available < needed)
+    throw raster::InputError("the libraries for images take up to " + raster::memoryText(needed) +
+                                 " of address space; " + raster::memoryText(available) + " are free",
+                             "raise the limit (ulimit -v)");
+}
+
+}  // namespace
+
 const ImageFunctions& imageFunctions() {
-  static const void* const functions = moduleSymbol("hemitex_images.so", "hemitexImageFunctions");
+  static const void* const functions = [] {
+    requireAddressSpace();
+    return moduleSymbol("hemitex_images.so", "hemitexImageFunctions");
+  }();
   return *static_cast<const ImageFunctions*>(functions);
 }
 

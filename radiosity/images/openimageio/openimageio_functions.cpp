@@ -53,6 +53,7 @@ ImageProblem readPixels(OIIO::ImageInput* input, std::uint64_t maxPixels, const 
   const int step = rowsAtOnce(spec, rows.channels);
   if (static_cast<std::uint64_t>(step) * spec.scanline_bytes(true) > maxBytesAtOnce)
     return {"has tiles or rows of more than 256 MiB", "save it with smaller tiles"};
+  receive(rows, spec.height);  // before a decoder takes memory for the whole image
   for (int begin = 0; begin < spec.height; begin += step) {
     const int end = std::min(begin + step, spec.height);
     const bool isRead = spec.format == OIIO::TypeDesc::UINT8

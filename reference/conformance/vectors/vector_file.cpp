@@ -11,6 +11,7 @@
 
 #include "raster/base/file_io.h"
 #include "raster/base/input_error.h"
+#include "raster/base/memory_budget.h"
 #include "raster/base/short_number.h"
 #include "raster/software/software_renderer.h"
 #include "reference/base/json_text.h"
@@ -199,19 +200,19 @@ TestVector readJson(const filesystem::path& folder, const Json& json) {
 }
 
 raster::ItemBuffer readIds(const filesystem::path& file, const raster::Scissor& scissor) {
-  if (!filesystem::is_regular_file(file))
+  const raster::InputFile opened = raster::tryOpenFile(file);
+  if (!opened)
     throw InputError(file.string(), 0, "is missing or not a file", "a candidate holds one item ID file per face");
   const std::uintmax_t size = filesystem::file_size(file);
-  raster::ItemBuffer buffer;
-  buffer.resize(scissor);
-  const std::size_t bytes = buffer.ids.size() * sizeof(raster::ItemId);
+  const std::uint64_t bytes = raster::saturatedProduct(sizeof(raster::ItemId), scissor.width, scissor.height);
   if (size != bytes)
     throw InputError(file.string(), 0, "holds " + std::to_string(size) + " bytes",
                      std::to_string(scissor.width) + " x " + std::to_string(scissor.height) + " item IDs are " +
                          std::to_string(bytes) + " bytes");
-  std::ifstream stream(file, std::ios::binary);
-  stream.read(reinterpret_cast<char*>(buffer.ids.data()), static_cast<std::streamsize>(bytes));
-  if (!stream) throw InputError(file.string(), 0, "cannot be read to its end");
+  raster::ItemBuffer buffer;
+  buffer.resize(scissor);
+  if (std::fread(buffer.ids.data(), 1, bytes, opened.get()) != bytes)
+    throw InputError(file.string(), 0, "cannot be read to its end");
   return buffer;
 }
 

@@ -11,7 +11,9 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "raster/base/file_io.h"
 #include "raster/base/input_error.h"
+#include "raster/base/memory_budget.h"
 #include "reference/truth/matrices/npy_header.h"
 
 namespace hemitex::reference {
@@ -19,7 +21,6 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "arrays are read and written as they are in memory");
 
-constexpr std::size_t blockBytes = std::size_t{1} << 20;
 const std::string saveAgain = "save the matrix again with scipy.sparse.save_npz";
 
 struct CloseArchive {
@@ -27,15 +28,20 @@ struct CloseArchive {
 };
 using Archive = std::unique_ptr<zip_t, CloseArchive>;
 
-Archive openArchive(const std::filesystem::path& file, int flags) {
-  int code = 0;
-  Archive archive(zip_open(file.c_str(), flags, &code));
+Archive openForReading(const std::filesystem::path& file) {
+  raster::InputFile opened = raster::openFile(file, "check the path, and that it is a file you may read");
+  zip_source_t* const source = zip_source_filep_create(opened.get(), 0, -1, nullptr);
+  if (source != nullptr) opened.release();  // the source closes it
+  Archive archive(source == nullptr ? nullptr : zip_open_from_source(source, ZIP_RDONLY, nullptr));
   if (archive) return archive;
-  zip_error_t error;
-  zip_error_init_with_code(&error, code);
-  const std::string why = zip_error_strerror(&error);
-  zip_error_fini(&error);
-  throw raster::InputError(file.string(), 0, "cannot be read as a ZIP archive: " + why, saveAgain);
+  if (source != nullptr) zip_source_free(source);
+  throw raster::InputError(file.string(), 0, "cannot be read as a ZIP archive", saveAgain);
+}
+
+Archive openForWriting(const std::filesystem::path& file) {
+  Archive archive(zip_open(file.c_str(), ZIP_CREATE | ZIP_TRUNCATE, nullptr));
+  if (archive) return archive;
+  throw raster::InputError(file.string(), 0, "cannot be written", "check the disk");
 }
 
 /// An array of the archive, whose bytes are read in order.
@@ -43,7 +49,11 @@ class Member {
  public:
   Member(zip_t* archive, const std::string& name, const std::filesystem::path& file)
       : name_(file.string() + ": " + name), stream_(zip_fopen(archive, (name + ".npy").c_str(), 0)) {
-    if (!stream_) fail(std::string("cannot be read: ") + zip_strerror(archive));
+    zip_stat_t about{};
+    if (!stream_ || zip_stat(archive, (name + ".npy").c_str(), 0, &about) != 0)
+      fail("is missing in the archive, or cannot be read");
+    constexpr std::uint64_t highestRatio = 1032;  // of deflated bytes
+    bytes_ = std::min(about.size, raster::saturatedProduct(about.comp_size, highestRatio));
     std::string bytes = read(12);
     const std::size_t size = npyHeaderSize(bytes, name_);
     if (size > maxHeader || size < bytes.size()) fail("its header has " + std::to_string(size) + " bytes");
@@ -58,18 +68,13 @@ class Member {
     return header_.shape[0];
   }
 
-  /// All values of the array, of the type in the file. Memory grows with what is read, so that a damaged size asks for
-  /// none.
+  /// All values of the array, of the type in the file. Each will need so many bytes elsewhere, too.
   template <typename Value>
-  std::vector<Value> values() {
-    std::vector<Value> result;
-    for (std::uint64_t left = count(); left > 0;) {
-      const std::size_t part = std::min<std::uint64_t>(left, blockBytes / sizeof(Value));
-      const std::size_t before = result.size();
-      result.resize(before + part);
-      readInto(reinterpret_cast<char*>(result.data() + before), part * sizeof(Value));
-      left -= part;
-    }
+  std::vector<Value> values(std::size_t otherBytes = 0) {
+    if (count() > bytes_ / sizeof(Value)) fail("ends before its last value");
+    raster::requireMemory(raster::saturatedProduct(count(), sizeof(Value) + otherBytes), name_, "the array");
+    std::vector<Value> result(count());
+    readInto(reinterpret_cast<char*>(result.data()), result.size() * sizeof(Value));
     finish();
     return result;
   }
@@ -77,7 +82,7 @@ class Member {
   template <typename Value, typename Stored>
   std::vector<Value> converted() {
     if constexpr (std::is_same_v<Value, Stored>) return values<Value>();
-    const std::vector<Stored> stored = values<Stored>();
+    const std::vector<Stored> stored = values<Stored>(sizeof(Value));
     std::vector<Value> result;
     result.reserve(stored.size());
     for (const Stored value : stored) {
@@ -124,14 +129,14 @@ class Member {
   std::string readSome(std::size_t bytes) {
     std::string result(bytes, 0);
     const zip_int64_t count = zip_fread(stream_.get(), result.data(), bytes);
-    if (count < 0) fail(std::string("is damaged: ") + zip_file_strerror(stream_.get()));
+    if (count < 0) fail("is damaged");
     result.resize(static_cast<std::size_t>(count));
     return result;
   }
   void readInto(char* place, std::size_t bytes) {
     while (bytes > 0) {
       const zip_int64_t count = zip_fread(stream_.get(), place, bytes);
-      if (count < 0) fail(std::string("is damaged: ") + zip_file_strerror(stream_.get()));
+      if (count < 0) fail("is damaged");
       if (count == 0) fail("ends before its last value");
       place += count;
       bytes -= static_cast<std::size_t>(count);
@@ -149,6 +154,7 @@ class Member {
 
   std::string name_;
   std::unique_ptr<zip_file_t, Close> stream_;
+  std::uint64_t bytes_ = 0;  ///< that the member can have
   NpyHeader header_;
 };
 
@@ -216,7 +222,7 @@ class NpzSink : public RowSink {
     indices_.finish();
     data_.finish();
     if (error_) error_->finish();
-    archive_ = openArchive(file_, ZIP_CREATE | ZIP_TRUNCATE);
+    archive_ = openForWriting(file_);
     addFile("indices", indices_.file());
     if (rowStart_.back() <= std::numeric_limits<std::int32_t>::max())
       addArray("indptr", "<i4", std::vector<std::int32_t>(rowStart_.begin(), rowStart_.end()));
@@ -265,10 +271,7 @@ class NpzSink : public RowSink {
         zip_file_set_dostime(archive_.get(), member, 0, firstDay, 0) != 0)
       fail();
   }
-  [[noreturn]] void fail() {
-    throw raster::InputError(file_.string(), 0, std::string("cannot be written: ") + zip_strerror(archive_.get()),
-                             "check the disk");
-  }
+  [[noreturn]] void fail() { throw raster::InputError(file_.string(), 0, "cannot be written", "check the disk"); }
 
   std::filesystem::path file_;
   MatrixHeading heading_;
@@ -295,7 +298,7 @@ std::string aboutMatrix(const MatrixHeading& heading) {
 }
 
 MatrixFile readNpz(const std::filesystem::path& file) {
-  const Archive archive = openArchive(file, ZIP_RDONLY);
+  const Archive archive = openForReading(file);
   const auto member = [&](const char* name) { return Member(archive.get(), name, file); };
   const std::string format = member("format").text();
   if (format != "csr")

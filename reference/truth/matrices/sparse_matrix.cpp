@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "raster/base/input_error.h"
+#include "raster/base/memory_budget.h"
 
 namespace hemitex::reference {
 namespace {
@@ -59,6 +60,8 @@ SparseMatrix matrixOf(std::vector<MatrixEntry> entries, std::size_t rows, std::u
   const auto twice = std::adjacent_find(entries.begin(), entries.end(),
                                         [place](const auto& a, const auto& b) { return place(a) == place(b); });
   if (twice != entries.end()) failTwice(file, twice->row, twice->column);
+  constexpr std::uint64_t entryBytes = sizeof(std::uint32_t) + sizeof(double), rowBytes = sizeof(std::uint64_t);
+  raster::requireMemory(entries.size() * entryBytes + rows * rowBytes, file, "the matrix");
   SparseMatrix matrix{.columns = columns, .rowStart = std::vector<std::uint64_t>(rows + 1, 0)};
   matrix.column.reserve(entries.size());
   matrix.value.reserve(entries.size());

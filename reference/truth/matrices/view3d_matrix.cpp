@@ -2,9 +2,10 @@
 
 #include <bit>
 #include <cmath>
+#include <cstdio>
 #include <cstring>
-#include <fstream>
 
+#include "raster/base/file_io.h"
 #include "raster/base/input_error.h"
 #include "reference/truth/matrices/word_reader.h"
 
@@ -36,18 +37,18 @@ class TextNumbers {
 
 class BinaryNumbers {
  public:
-  explicit BinaryNumbers(const std::filesystem::path& file) : file_(file), stream_(file, std::ios::binary) {
-    constexpr std::streamoff headerBytes = 32;
-    stream_.seekg(headerBytes);
+  explicit BinaryNumbers(const std::filesystem::path& file) : file_(file), stream_(raster::openFile(file)) {
+    constexpr long headerBytes = 32;
+    std::fseek(stream_.get(), headerBytes, SEEK_SET);
   }
   double next() {
     float value = 0;
-    if (!stream_.read(reinterpret_cast<char*>(&value), sizeof value)) fail("ends too early");
+    if (std::fread(&value, sizeof value, 1, stream_.get()) != 1) fail("ends too early");
     if (!std::isfinite(value)) fail("has a number that is not finite");
     return value;
   }
   void finish() {
-    if (stream_.peek() != std::ifstream::traits_type::eof()) fail("goes on behind the last emittance");
+    if (std::fgetc(stream_.get()) != EOF) fail("goes on behind the last emittance");
   }
 
  private:
@@ -55,7 +56,7 @@ class BinaryNumbers {
     throw raster::InputError(file_.string(), 0, what, "give the whole file, as View3D wrote it");
   }
   std::filesystem::path file_;
-  std::ifstream stream_;
+  raster::InputFile stream_;
 };
 
 MatrixFile readNumbers(auto& numbers, std::uint64_t surfaces) {

@@ -16,11 +16,8 @@ constexpr std::string_view ends = " \t,;\r\n";
 
 }  // namespace
 
-WordReader::WordReader(const std::filesystem::path& file) : file_(file), stream_(file, std::ios::binary) {
-  std::error_code ignored;
-  if (!stream_ || !std::filesystem::is_regular_file(file, ignored))
-    throw raster::InputError(file.string(), 0, "cannot be read", "check the path, and that it is a file you may read");
-}
+WordReader::WordReader(const std::filesystem::path& file)
+    : file_(file), stream_(raster::openFile(file, "check the path, and that it is a file you may read")) {}
 
 /// Reads more behind what is left; false at the end of the file.
 bool WordReader::fill() {
@@ -28,8 +25,7 @@ bool WordReader::fill() {
   at_ = 0;
   const std::size_t left = block_.size();
   block_.resize(left + blockBytes);
-  stream_.read(block_.data() + left, blockBytes);
-  block_.resize(left + static_cast<std::size_t>(stream_.gcount()));
+  block_.resize(left + std::fread(block_.data() + left, 1, blockBytes, stream_.get()));
   return block_.size() > left;
 }
 

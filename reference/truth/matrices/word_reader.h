@@ -3,16 +3,17 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <fstream>
 #include <optional>
 #include <string>
 #include <string_view>
+
+#include "raster/base/file_io.h"
 
 namespace hemitex::reference {
 
 class WordReader {
  public:
-  /// Words are separated by blanks, tabs, commas and semicolons. Throws InputError if the file cannot be opened.
+  /// Words are separated by blanks, tabs, commas and semicolons. Throws InputError as raster::openFile.
   explicit WordReader(const std::filesystem::path& file);
 
   /// Goes to the next line, the first one at the first call; false at the end of the file.
@@ -36,7 +37,7 @@ class WordReader {
   void skip(std::string_view characters);
 
   std::filesystem::path file_;
-  std::ifstream stream_;
+  raster::InputFile stream_;
   std::string block_;  ///< read and not yet taken, from at_ on
   std::size_t at_ = 0;
   std::int64_t line_ = 0;  ///< counted from 1; 0 before the first one

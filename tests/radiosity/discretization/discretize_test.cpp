@@ -4,10 +4,13 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <span>
 
+#include "radiosity/discretization/grid_size.h"
 #include "radiosity/discretization/sliver_merging.h"
 #include "radiosity/discretization/texel_areas.h"
 #include "raster/base/input_error.h"
+#include "raster/base/memory_budget.h"
 #include "raster/base/parallel.h"
 #include "tests/support/hand_scenes.h"
 
@@ -246,6 +249,21 @@ TEST_CASE("discretize throws InputError for settings out of range and names with
 TEST_CASE("discretize refuses more texels than item IDs before it allocates memory", "[discretization]") {
   const Scene scene = sceneOf(std::vector<Surface>(256, flat("wall", rectangle({0, 0}, {1, 1}))));
   CHECK_THROWS_WITH(discretize(scene, {.texels = 4096}), Catch::Contains("4294967296 texels"));
+}
+
+TEST_CASE("discretize refuses more than 2^24 elements, unless the user insists", "[discretization]") {
+  Scene scene = sceneOf(std::vector<Surface>(2, flat("wall", rectangle({0, 0}, {1, 1}))));
+  scene.files = {"walls.obj"};
+  const raster::SizePolicy policy(false, "insist");
+  CHECK_THROWS_WITH(discretize(scene, {.texelSize = 1e-9}),
+                    Catch::StartsWith("walls.obj: the scene becomes 33554432 elements, more than 16777216; they take "
+                                      "about 3.36 GB of memory") &&
+                        Catch::EndsWith("; use larger texels, or insist"));
+  const std::vector<GridSize> sizes{{4096, 4096}, {1, 1}};
+  CHECK_NOTHROW(requireAffordable(scene, std::span(sizes).first(1)));
+  CHECK_THROWS_AS(requireAffordable(scene, sizes), raster::SizeError);
+  const raster::SizePolicy insisting(true, "");
+  CHECK_NOTHROW(requireAffordable(scene, sizes));
 }
 
 TEST_CASE("discretize gives the same result for any number of threads", "[discretization]") {

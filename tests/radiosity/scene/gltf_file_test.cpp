@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <chrono>
 #include <cmath>
 #include <cstring>
 #include <nlohmann/json.hpp>
@@ -274,6 +275,56 @@ TEST_CASE("gltfMaterials scales the factor by the texture", "[gltf]") {
   CHECK(without.materials.at(0).reflectance == glm::dvec3(0.5));
   CHECK(std::any_of(without.warnings.begin(), without.warnings.end(),
                     [](const std::string& warning) { return warning.find("missing.png") != std::string::npos; }));
+}
+
+TEST_CASE("readGltf keeps one image of a file or a range of bytes that several images name", "[gltf]") {
+  const SceneFile folder("unused", "");
+  writePng(folder.folder.path / "a.png", {2, 1, {glm::dvec3(1.0), glm::dvec3(0.5)}});
+  Gltf gltf = roomGltf();
+  const int view = gltf.view(tests::readAll(folder.folder.path / "a.png"));
+  const json file = {{"uri", "a.png"}}, range = {{"bufferView", view}, {"mimeType", "image/png"}};
+  gltf.text["images"] = {file, range, file, range};
+  gltf.text["textures"] = {{{"source", 3}}, {{"source", 2}}};
+  gltf.text["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"] = {{"index", 1}};
+  gltf.text["materials"][1]["pbrMetallicRoughness"]["baseColorTexture"] = {{"index", 1}};
+  gltf.text["materials"][1]["emissiveTexture"] = {{"index", 0}};
+  writeAll(folder.folder.path / "scene.glb", gltf.glb());
+  CHECK(readGltf(folder.folder.path / "scene.glb").images.size() == 2);
+  const Scene scene = loadScene(folder.folder.path / "scene.glb");
+  CHECK(scene.images.size() == 2);
+  CHECK(scene.materials.at(0).reflectanceMap == scene.materials.at(1).reflectanceMap);
+  CHECK(scene.materials[0].reflectanceMap != scene.materials[1].emissionMap);
+}
+
+TEST_CASE("loadScene refuses a glTF file whose nodes repeat more triangles than fit into memory", "[gltf]") {
+  Gltf gltf;
+  const int positions = gltf.accessor(square, floatType, "VEC3", 3);
+  const int indices = gltf.accessor(std::vector<std::uint8_t>(30000, 1), byteType, "SCALAR", 1);
+  json primitives;
+  for (int p = 0; p < 3000; ++p)
+    primitives.push_back({{"attributes", {{"POSITION", positions}}}, {"indices", indices}});
+  gltf.text["meshes"] = {{{"primitives", primitives}}};
+  for (int n = 0; n < 3000; ++n) {
+    gltf.text["nodes"].push_back({{"mesh", 0}});
+    gltf.text["scenes"][0]["nodes"].push_back(n);
+  }
+  CHECK_THAT(faultOf(gltf.glb()), Catch::Contains("the scene of 90000000000 triangles, with those that nodes repeat, "
+                                                  "takes about 7.2e+04 GB of memory"));
+}
+
+TEST_CASE("loadScene reads many nodes of one name in linear time", "[gltf]") {
+  Gltf gltf;
+  const json primitive = {{"attributes", {{"POSITION", gltf.accessor(square, floatType, "VEC3", 3)}}}, {"mode", 6}};
+  gltf.text["meshes"] = {{{"primitives", {primitive}}}};
+  constexpr int nodes = 40000;
+  for (int n = 0; n < nodes; ++n) {
+    gltf.text["nodes"].push_back({{"mesh", 0}, {"name", "node"}, {"translation", {0, n, 0}}});
+    gltf.text["scenes"][0]["nodes"].push_back(n);
+  }
+  const SceneFile file("scene.glb", gltf.glb());
+  const auto start = std::chrono::steady_clock::now();
+  CHECK(file.load().surfaces.back().name == "node~40000");
+  CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(20));  // quadratic: more than a minute
 }
 
 TEST_CASE("readGltf reads the camera and leaves out point lights with a warning", "[gltf]") {

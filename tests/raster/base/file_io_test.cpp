@@ -39,7 +39,7 @@ TEST_CASE("openFile and readFile do not wait for a pipe or a device, and say wha
     CHECK_THROWS_WITH(raster::readFile(other), other.string() + ": is a pipe or a device, not a file");
   }
   CHECK_THROWS_WITH(raster::openFile(folder.path, "give a file"),
-                    folder.path.string() + ": cannot be read; give a file");
+                    folder.path.string() + ": cannot be read: it is a folder; give a file");
 }
 
 TEST_CASE("tryReadFile refuses a file that is larger than the free memory", "[file_io]") {

@@ -25,4 +25,5 @@ TEST_CASE("sha256OfFile gives the digest of a file's bytes, whatever their numbe
     CHECK(sha256OfFile(folder.path / "file") == sha256(bytes));
   }
   CHECK_THROWS_AS(sha256OfFile(folder.path / "missing"), hemitex::raster::InputError);
+  CHECK_THROWS_AS(sha256OfFile("/dev/zero"), hemitex::raster::InputError);
 }

@@ -1,0 +1,116 @@
+/// What hemitex refuses before it takes the memory: small files that become large, more elements than are meant, and
+/// pipes; and how it ends where memory is too small. The limit of the address space keeps a fault from harming.
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "tests/support/shell.h"
+
+using namespace hemitex::tests;
+using Catch::Contains;
+
+namespace {
+
+const std::string program = "'" HEMITEX_PROGRAM "' --threads 2 ";
+
+/// Runs a command with an address space of so many MiB, for at most 20 seconds.
+Outcome limited(const Shell& shell, int mebibytes, const std::string& arguments) {
+  return shell.execute("ulimit -c 0; ulimit -v " + std::to_string(mebibytes * 1024) + "; timeout 20 " + program +
+                       arguments);
+}
+
+/// Writes files with tests/system/bombs.py.
+Shell withBombs(const std::string& names) {
+  Shell shell;
+  const Outcome outcome = shell.execute("python3 " HEMITEX_SOURCE "/tests/system/bombs.py " + names);
+  INFO(outcome.err);
+  REQUIRE(outcome.exitCode == 0);
+  return shell;
+}
+
+/// A command that ends, with an address space of so many MiB, with a message which names the file and the size.
+void checkRefused(const Shell& shell, int mebibytes, const std::string& arguments, const std::string& file) {
+  const Outcome outcome = limited(shell, mebibytes, arguments);
+  INFO(arguments << ": " << outcome.err);
+  CHECK(outcome.exitCode == 2);
+  CHECK_THAT(outcome.err, Contains(file + ": ") && Contains("B of memory; ") && Contains("MB are free") &&
+                              Contains("add --insist to run all the same"));
+}
+
+}  // namespace
+
+TEST_CASE("hemitex refuses small files that become large", "[faults][little_memory]") {
+  const Shell shell = withBombs("npz pieces zlib instances many_images");
+  checkRefused(shell, 300, "matrix check bomb.npz room.obj", "bomb.npz: indices");
+  for (const std::string file : {"pieces.vtp", "zlib.vtp", "instances.gltf"})
+    checkRefused(shell, 300, "solve " + file + " --sky 1,1,1 -o out", file);
+  // The libraries for images alone take 430 MB of address space.
+  checkRefused(shell, 1000, "solve many.obj -o out", "many.mtl");
+  checkRefused(shell, 1000, "solve many.gltf -o out", "many.gltf");
+}
+
+TEST_CASE("hemitex decodes an image once, however many textures name it", "[faults][little_memory]") {
+  const Shell shell = withBombs("one_image");
+  for (const char* file : {"one.obj", "one.gltf"}) {
+    const Outcome outcome = limited(shell, 1000, "formfactors " + std::string(file) + " --by-surface --all --texels 1");
+    INFO(outcome.err);
+    CHECK(outcome.exitCode == 0);
+  }
+}
+
+TEST_CASE("hemitex refuses more than 2^24 elements in all commands, unless --insist is given", "[cli]") {
+  const Shell shell;
+  for (const char* command : {"formfactors room.obj --from floor --texel-size 1e-9",
+                              "solve room.obj -o out --texel-size 1e-9", "tradeoff room.obj -o t --texels 4096"}) {
+    const Outcome outcome = shell.execute("timeout 5 " + program + command);
+    INFO(command << ": " << outcome.err);
+    CHECK(outcome.exitCode == 2);
+    CHECK_THAT(outcome.err, Contains("room.obj: ") && Contains("100663296 elements") &&
+                                Contains("or add --insist to run all the same"));
+  }
+  // The option works before and after the command.
+  const std::string row = "formfactors room.obj --from floor --texels 1700";
+  for (const std::string& command : {row + " --insist", "--insist " + row})
+    CHECK(shell.execute("timeout 1 " + program + command).exitCode == 124);
+}
+
+TEST_CASE("hemitex does not wait for a pipe", "[cli]") {
+  const Shell shell;
+  const auto check = [&](const std::string& name, const std::string& command) {
+    shell.execute("mkfifo " + name);
+    const Outcome outcome = shell.execute("timeout 5 " + program + command);
+    INFO(command << ": " << outcome.err);
+    CHECK(outcome.exitCode == 2);
+    CHECK_THAT(outcome.err, Contains(name + ": is a pipe or a device, not a file"));
+  };
+  for (const char* name : {"a.csv", "a.mtx", "a.vf", "a.txt", "a.npz"})
+    check(name, std::string("matrix check ") + name + " room.obj");
+  for (const char* name : {"a.obj", "a.gltf", "a.glb", "a.ply", "a.stl", "a.vtk", "a.vtp", "a.vs3"})
+    check(name, std::string("solve ") + name + " -o out");
+}
+
+TEST_CASE("hemitex ends with a message where memory is too small, at any limit", "[faults][little_memory]") {
+  const Shell shell;
+  shell.output("formfactors room.obj --all -o m.npz");
+  shell.output("vector suite -o suite");
+  const std::vector<std::string> commands{"solve room.obj -o out --texels 8 --resolution 32 --size 40x30",
+                                          "formfactors room.obj --from floor --texels 16",
+                                          "matrix check m.npz room.obj", "render room.obj -o picture.png --size 40x30",
+                                          "vector check suite --candidate suite"};
+  for (std::size_t c = 0; c < commands.size(); ++c) {
+    const int unlimited = shell.run(commands[c]).exitCode;
+    for (const int mebibytes : {68 + static_cast<int>(c) * 10, 440 + static_cast<int>(c) * 20}) {
+      std::filesystem::remove_all(shell.file("out"));
+      const std::map<std::string, std::string> before = shell.files();
+      const Outcome outcome = limited(shell, mebibytes, commands[c]);
+      INFO(commands[c] << " with " << mebibytes << " MiB ended with " << outcome.exitCode << ": " << outcome.err);
+      for (const std::string& line : linesOf(outcome.err)) CHECK_THAT(line, Catch::StartsWith("hemitex: "));
+      if (outcome.exitCode == unlimited) continue;
+      CHECK((outcome.exitCode == 2 || outcome.exitCode == 3));
+      CHECK_THAT(outcome.err, outcome.exitCode == 2 ? Contains(" are free; ") : Contains("out of memory"));
+      CHECK(shell.files() == before);
+    }
+  }
+}
