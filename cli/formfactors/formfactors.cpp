@@ -240,7 +240,7 @@ void forEachRow(const RowMethod& rowFrom, const Families& families, RowFile* fil
     return lineOf(families.surfaces[from].empty() ? Row() : rowFrom({families.surfaces[from]}));
   };
   const auto keep = [&](std::size_t from, const std::string& line) {
-    take(*rowOf(line, count));
+    take(*rowOf(line));
     if (file) file->append(line);
     context.console.progress(static_cast<double>(from + 1) / static_cast<double>(count), families.names[from]);
   };

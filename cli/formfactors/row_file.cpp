@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <functional>
 #include <nlohmann/json.hpp>
+#include <numeric>
 #include <vector>
 
 #include "cli/common/json.h"
@@ -37,18 +38,23 @@ std::string headingOf(const Computation& computation) {
   return withHash(title + computation.version + ' ' + computation.hash);
 }
 
-bool isShare(double value) { return std::isfinite(value) && value >= 0; }
+constexpr double rounding = 1e-6;
+
+bool isShare(double value) { return std::isfinite(value) && value >= -rounding; }
 
 bool areShares(const std::vector<double>& values) { return std::all_of(values.begin(), values.end(), isShare); }
 
 bool isValid(const reference::Row& row, std::size_t receivers) {
   const auto isPlausible = [](const std::optional<double>& value) { return !value || isShare(*value); };
   const std::vector<std::uint32_t>& receiver = row.receiver;
+  const double shares =
+      std::accumulate(row.formFactor.begin(), row.formFactor.end(), row.background.value_or(0) + row.back.value_or(0));
+  if (row.background && !(std::abs(shares - 1) <= rounding)) return false;
   return std::adjacent_find(receiver.begin(), receiver.end(), std::greater_equal<>()) == receiver.end() &&
          (receiver.empty() || receiver.back() < receivers) && row.formFactor.size() == receiver.size() &&
          (row.standardError.empty() || row.standardError.size() == receiver.size()) && areShares(row.formFactor) &&
-         areShares(row.standardError) && isPlausible(row.background) && isPlausible(row.back) &&
-         isShare(row.backgroundError) && isShare(row.backError) && isPlausible(row.captured) && isPlausible(row.error);
+         areShares(row.standardError) && isShare(row.backgroundError) && isShare(row.backError) &&
+         isPlausible(row.captured) && isPlausible(row.error);
 }
 
 std::optional<double> numberIn(const json& value) {
@@ -70,20 +76,19 @@ std::string lineOf(const reference::Row& row) {
       .dump();
 }
 
-std::optional<reference::Row> rowOf(std::string_view line, std::size_t receivers) {
+std::optional<reference::Row> rowOf(std::string_view line) {
   const json list = json::parse(line, nullptr, false);
   if (!list.is_array() || list.size() != 9 || !areNumbers(list[0])) return std::nullopt;
   try {
-    reference::Row row{list[0].get<std::vector<std::uint32_t>>(),
-                       list[1].get<std::vector<double>>(),
-                       list[2].get<std::vector<double>>(),
-                       numberIn(list[3]),
-                       numberIn(list[4]),
-                       list[5].get<double>(),
-                       list[6].get<double>(),
-                       numberIn(list[7]),
-                       numberIn(list[8])};
-    return isValid(row, receivers) ? std::optional(std::move(row)) : std::nullopt;
+    return reference::Row{list[0].get<std::vector<std::uint32_t>>(),
+                          list[1].get<std::vector<double>>(),
+                          list[2].get<std::vector<double>>(),
+                          numberIn(list[3]),
+                          numberIn(list[4]),
+                          list[5].get<double>(),
+                          list[6].get<double>(),
+                          numberIn(list[7]),
+                          numberIn(list[8])};
   } catch (const json::exception&) {  // a value of another type
     return std::nullopt;
   }
@@ -96,8 +101,10 @@ std::string numberedLine(std::size_t number, const std::string& row) {
 std::optional<reference::Row> numberedRow(std::string_view line, std::size_t number, std::size_t receivers) {
   const std::string prefix = std::to_string(number) + ' ';
   const std::optional<std::string_view> text = withoutHash(line);
-  if (!text || !text->starts_with(prefix)) return std::nullopt;
-  return rowOf(text->substr(prefix.size()), receivers);
+  if (!text || !text->starts_with(prefix) || number >= receivers) return std::nullopt;
+  std::optional<reference::Row> row = rowOf(text->substr(prefix.size()));
+  if (row && !isValid(*row, receivers)) row.reset();
+  return row;
 }
 
 RowFile::RowFile(const Output& output, const Computation& computation, const std::set<std::string>& companions)

@@ -17,13 +17,14 @@ namespace hemitex::cli {
 
 /// A row as one line of JSON, in full precision, without a line end.
 std::string lineOf(const reference::Row& row);
-/// Reads what lineOf wrote; nothing if the text is no row of a matrix with this number of receivers: receivers ascend,
-/// each has a finite form factor of at least 0, and errors, if there are any, are finite and at least 0.
-std::optional<reference::Row> rowOf(std::string_view line, std::size_t receivers);
+/// Reads what lineOf wrote; nothing if the text has another form.
+std::optional<reference::Row> rowOf(std::string_view line);
 
 /// A line of a file of rows: the number of the row, the row, and the hash of both, with a line end.
 std::string numberedLine(std::size_t number, const std::string& row);
-/// The row of such a line without its end; nothing if the line is damaged or has another number.
+/// The row of such a line without its end; nothing if the line is damaged, has another number, or is no row of a square
+/// matrix with this number of receivers: they ascend, all numbers are finite, form factors and errors are not negative
+/// but for rounding, and all shares add up to 1 unless blockers are ignored.
 std::optional<reference::Row> numberedRow(std::string_view line, std::size_t number, std::size_t receivers);
 
 /// What identifies the computation of a matrix.

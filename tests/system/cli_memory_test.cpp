@@ -22,12 +22,10 @@ Outcome limited(const Shell& shell, int mebibytes, const std::string& arguments)
 }
 
 /// Writes files with tests/system/bombs.py.
-Shell withBombs(const std::string& names) {
-  Shell shell;
+void writeBombs(const Shell& shell, const std::string& names) {
   const Outcome outcome = shell.execute("python3 " HEMITEX_SOURCE "/tests/system/bombs.py " + names);
   INFO(outcome.err);
   REQUIRE(outcome.exitCode == 0);
-  return shell;
 }
 
 /// A command that ends, with an address space of so many MiB, with a message which names the file and the size.
@@ -42,7 +40,8 @@ void checkRefused(const Shell& shell, int mebibytes, const std::string& argument
 }  // namespace
 
 TEST_CASE("hemitex refuses small files that become large", "[faults][little_memory]") {
-  const Shell shell = withBombs("npz pieces zlib instances many_images");
+  const Shell shell;
+  writeBombs(shell, "npz pieces zlib instances many_images");
   checkRefused(shell, 300, "matrix check bomb.npz room.obj", "bomb.npz: indices");
   for (const std::string file : {"pieces.vtp", "zlib.vtp", "instances.gltf"})
     checkRefused(shell, 300, "solve " + file + " --sky 1,1,1 -o out", file);
@@ -52,7 +51,8 @@ TEST_CASE("hemitex refuses small files that become large", "[faults][little_memo
 }
 
 TEST_CASE("hemitex decodes an image once, however many textures name it", "[faults][little_memory]") {
-  const Shell shell = withBombs("one_image");
+  const Shell shell;
+  writeBombs(shell, "one_image");
   for (const char* file : {"one.obj", "one.gltf"}) {
     const Outcome outcome = limited(shell, 1000, "formfactors " + std::string(file) + " --by-surface --all --texels 1");
     INFO(outcome.err);
