@@ -131,8 +131,13 @@ RowFile::RowFile(const Output& output, const Computation& computation, const std
   if (!heading.starts_with(line))
     throw InputError(path, 1, "the rows belong to another scene or other settings", advice);
   if (line == heading) return;
-  cutFrom(0);
-  write(heading);
+  try {
+    cutFrom(0);
+    write(heading);
+  } catch (const InputError&) {
+    folder.remove(part_);  // it has no rows
+    throw;
+  }
 }
 
 /// The next line, with its end if it is complete.

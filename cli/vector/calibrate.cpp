@@ -27,7 +27,7 @@ struct CalibrateOptions {
 void writeProbes(const filesystem::path& folder, const Context& context) {
   const std::vector<reference::TestVector> vectors = vectorsOf(reference::makeProbes());
   writeVectors(
-      folder, "vector calibrate", vectors.size(), [&vectors](std::size_t k) { return vectors[k]; }, false, context);
+      folder, "vector calibrate --probes", vectors.size(), [&vectors](std::size_t k) { return vectors[k]; }, false, context);
 }
 
 /// A profile follows only from item buffers for the probes of this program version.

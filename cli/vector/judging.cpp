@@ -215,8 +215,9 @@ JudgingFiles::JudgingFiles(const JudgingOptions& options, const Context& context
   open(junit, options.junit, "--junit");
   open(record, options.record, "--record");
   open(picture, options.picture, "--diff");
-  if (!options.minimal.empty())
-    minimal.emplace(Output{.place = options.minimal, .writer = "vector check", .inputs = context.inputs()});
+  if (options.minimal.empty()) return;
+  minimal.emplace(Output{.place = options.minimal, .writer = "vector check", .inputs = context.inputs()});
+  minimal->requirePlaces({"vector.json"});
 }
 
 void addJudgingOptions(Command command, JudgingOptions& options) {
