@@ -32,16 +32,16 @@ scene = hx.Scene.from_arrays([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], [[0, 
 used = int(open("/proc/self/statm").read().split()[0]) * resource.getpagesize()
 resource.setrlimit(resource.RLIMIT_AS, (used + (300 << 20), used + (300 << 20)))
 try:
-    hx.discretize(scene, texels=2000, unburied=True)
+    hx.discretize(scene, texels=2000)
 except hx.InputError as error:
     print(error)
 try:
     with hx.insist():
-        hx.discretize(scene, texels=2000, unburied=True)
+        hx.discretize(scene, texels=2000)
 except MemoryError:
     print("MemoryError")
 try:
-    hx.discretize(scene, texels=2000, unburied=True)
+    hx.discretize(scene, texels=2000)
 except hx.InputError as error:
     print("refused again")
 """)

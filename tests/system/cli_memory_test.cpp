@@ -54,7 +54,8 @@ TEST_CASE("hemitex decodes an image once, however many textures name it", "[faul
   const Shell shell;
   writeBombs(shell, "one_image");
   for (const char* file : {"one.obj", "one.gltf"}) {
-    const Outcome outcome = limited(shell, 1000, "formfactors " + std::string(file) + " --by-surface --all --texels 1");
+    const Outcome outcome =
+        limited(shell, 1000, "formfactors " + std::string(file) + " --by-surface --all --texels 1 --resolution 32");
     INFO(outcome.err);
     CHECK(outcome.exitCode == 0);
   }

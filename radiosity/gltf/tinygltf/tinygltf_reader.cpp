@@ -228,12 +228,13 @@ glm::dmat4 localMatrix(const tinygltf::Node& node) {
   return matrix;
 }
 
-/// The number of values of an accessor, at most 2^32, so that sums do not overflow; 0 if there is none, which is
-/// reported when it is read.
-std::uint64_t countOf(const tinygltf::Model& gltf, int accessor) {
-  const auto index = static_cast<std::size_t>(accessor);
-  if (accessor < 0 || index >= gltf.accessors.size()) return 0;
-  return std::min<std::uint64_t>(gltf.accessors[index].count, std::uint64_t{1} << 32);
+/// The number of values of an accessor. Where they are not in the file, which is reported when they are read, the
+/// number of its bytes or 0.
+std::uint64_t countOf(const tinygltf::Model& gltf, int index) try {
+  const tinygltf::Accessor& accessor = itemAt(gltf.accessors, index, "accessor");
+  return std::min<std::uint64_t>(accessor.count, bytesOf(gltf, accessor.bufferView).size);
+} catch (const Fault&) {
+  return 0;
 }
 
 bool isOfTriangles(const tinygltf::Primitive& primitive) {
@@ -488,6 +489,7 @@ struct SceneFolder {
   const ImportBudget& budget;
   std::vector<std::string>& read;
   std::set<std::string> images = {};  ///< whose bytes are kept
+  std::string asked = {};             ///< the last file that was looked for
 };
 
 /// Keeps the bytes of an image from a file, once per file, or a data URI. Those of buffer views are read later, after a
@@ -509,12 +511,13 @@ bool isInside(const std::string& name, const std::string& folder) {
 
 bool fileExists(const std::string& name, void* folder) {
   std::error_code ignored;
-  return isInside(name, static_cast<const SceneFolder*>(folder)->name) &&
-         std::filesystem::is_regular_file(name, ignored);
+  auto* const scene = static_cast<SceneFolder*>(folder);
+  scene->asked = name;
+  return isInside(name, scene->name) && std::filesystem::is_regular_file(name, ignored);
 }
 
 bool readWholeFile(std::vector<unsigned char>* bytes, std::string* problem, const std::string& name, void* folder) {
-  auto& [ignored, budget, read, images] = *static_cast<SceneFolder*>(folder);
+  auto& [ignored, budget, read, images, asked] = *static_cast<SceneFolder*>(folder);
   std::error_code unknown;
   const std::uintmax_t size = std::filesystem::file_size(name, unknown);
   budget.forFile(unknown ? 0 : size, name);
@@ -528,8 +531,17 @@ bool readWholeFile(std::vector<unsigned char>* bytes, std::string* problem, cons
 /// tinygltf expands names as a shell does; names in a scene are names.
 std::string sameName(const std::string& name, void*) { return name; }
 
-/// The first line of a message.
-std::string firstLine(const std::string& text) { return text.substr(0, std::min<std::size_t>(text.find('\n'), 200)); }
+/// The fault of a file, from tinygltf's message.
+Fault faultOf(const std::string& message, const SceneFolder& folder) {
+  if (message.starts_with("File not found")) {
+    const std::string name = std::filesystem::path(folder.asked).filename().string();
+    return {"names the file `" + name + "`, which is not in its folder or below", "put it there"};
+  }
+  const std::size_t place = message.find("line ");
+  if (message.starts_with("[json.") && place != std::string::npos)
+    return {"is not JSON: " + message.substr(place, message.find(':', place) - place), exportAgain};
+  return {"is no valid glTF", "give a glTF 2.0 file"};
+}
 
 /// Throws Fault for a file whose meshes are compressed, before tinygltf misses the buffers that they replace.
 void refuseCompression(const std::string& bytes) {
@@ -544,7 +556,6 @@ void refuseCompression(const std::string& bytes) {
 }
 
 tinygltf::Model parse(const std::string& bytes, SceneFolder& folder) {
-  constexpr const char* advice = "give a glTF 2.0 file; files that it names must lie in its folder or below";
   if (bytes.size() > std::numeric_limits<unsigned int>::max())
     throw Fault{"the file has more than 4 GiB", "divide the scene"};
   refuseCompression(bytes);
@@ -559,7 +570,7 @@ tinygltf::Model parse(const std::string& bytes, SceneFolder& folder) {
           ? reader.LoadBinaryFromMemory(&gltf, &error, &warning, reinterpret_cast<const unsigned char*>(bytes.data()),
                                         size, folder.name)
           : reader.LoadASCIIFromString(&gltf, &error, &warning, bytes.data(), size, folder.name);
-  if (!isRead || !error.empty()) throw Fault{"is no valid glTF: " + firstLine(error), advice};
+  if (!isRead || !error.empty()) throw faultOf(error, folder);
   return gltf;
 }
 
@@ -601,8 +612,8 @@ ImportProblem read(const std::string& bytes, const std::string& folder, const Im
     throw;
   } catch (const std::bad_alloc&) {
     throw;
-  } catch (const std::exception& error) {  // of tinygltf's JSON parser
-    return {"is no valid glTF: " + firstLine(error.what()), exportAgain};
+  } catch (const std::exception&) {  // of tinygltf's JSON parser
+    return {"is no valid glTF", exportAgain};
   }
   return {};
 }
