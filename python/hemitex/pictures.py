@@ -38,9 +38,13 @@ def camera(scene: Scene, **changes: Any) -> Camera:
     beside = Path(scene.files[0]).with_suffix(".view.json") if scene.files else None
     if beside and beside.exists():
         try:
-            found = json.loads(beside.read_text())
-        except ValueError as error:
-            raise InputError(f"{beside}: is not a valid view: {error}") from None
+            found = json.loads(beside.read_text(encoding="utf-8"))
+        except json.JSONDecodeError as error:
+            raise InputError(f"{beside}:{error.lineno}: is not JSON: column {error.colno}") from None
+        except UnicodeDecodeError:
+            raise InputError(f"{beside}: is not UTF-8") from None
+        if not isinstance(found, dict):
+            raise InputError(f"{beside}: is not a valid view: it is no JSON object")
     if not {"eye", "look_at"} <= set(found) | set(changes):
         found = {**_core.default_camera(scene._core), **found}
     try:
