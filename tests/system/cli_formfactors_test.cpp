@@ -197,7 +197,7 @@ TEST_CASE("hemitex formfactors --output goes on after the rows of a run that was
       command + " & run=$!\nwhile kill -0 $run && ! [ \"$(wc -l <m.csv.part)\" -ge 3 ]\ndo sleep 0.01\ndone " +
       "2>/dev/null\n" + command + "\ncode=$?\nkill -KILL $run\nwait $run\nexit $code");
   CHECK(second.exitCode == 2);
-  CHECK_THAT(second.err, Contains("m.csv.part: is in use"));
+  CHECK_THAT(second.err, Contains("m.csv: is in use"));
   CHECK_FALSE(shell.files().contains("m.csv"));
   const Outcome last = shell.run(matrix + "-o m.csv");
   CHECK(last.exitCode == 0);

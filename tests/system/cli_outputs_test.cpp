@@ -198,6 +198,7 @@ TEST_CASE("A folder that cannot be written and a full disk are reported, and not
     const std::string name = trial.writer.name;
     const std::string inside = trial.command("disk/" + name);
     for (const std::string state : {"mount -o remount,ro disk", "head -c 100000 /dev/zero >disk/filler 2>/dev/null"}) {
+      if (!trial.writer.ends && state.starts_with("head")) continue;
       const Outcome outcome = trial.shell.execute(
           "mkdir disk\nunshare -m sh -c \"$(cat <<'END'\nmount -t tmpfs -o size=8k,nr_inodes=4 tmpfs disk\n" + state +
           "\nls -A disk >before\n" + inside +
