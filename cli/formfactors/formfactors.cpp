@@ -365,12 +365,23 @@ nlohmann::ordered_json tellMoves(const reference::SmoothingMoves& moves, bool ha
   return text;
 }
 
+/// The name of the JSON file beside a matrix: that of the matrix with another ending, or, where a file of this name
+/// describes another matrix, with `.json` behind it.
+std::string descriptionOf(const std::filesystem::path& matrix) {
+  const std::string name = std::filesystem::path(matrix).replace_extension(".json").filename();
+  const std::string text = raster::tryReadFile(matrix.parent_path() / name).value_or("");
+  const auto other = nlohmann::json::parse(text, nullptr, false);
+  const bool isOfOther = other.is_object() && other.value("matrix", nlohmann::json()).is_string() &&
+                         other["matrix"] != matrix.filename().string();
+  return isOfOther ? matrix.filename().string() + ".json" : name;
+}
+
 /// Writes the sparse matrix, and the JSON file beside it.
 void writeMatrix(const FormFactorOptions& options, Context& context, const radiosity::Scene& scene,
                  const radiosity::Discretization& discretization) {
   const Families families = options.scene.settings.facets ? radiosity::facetsOf(scene) : radiosity::familiesOf(scene);
   const RowReceivers receivers = reference::familiesAsReceivers(scene, discretization, families);
-  const std::string description = std::filesystem::path(options.output).replace_extension(".json").filename();
+  const std::string description = descriptionOf(options.output);
   // These refuse a wrong facet or file before there is a file of rows.
   FacetValues values(families.names.size(), options.vtuRows);
   std::optional<FacetFile> facets;
