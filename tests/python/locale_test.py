@@ -44,7 +44,7 @@ def files(folder: Path) -> Path:
 
 def read(file: Path) -> tuple:
     scene = hx.load_scene(file)
-    solution = hx.solve(scene, texels=4)
+    solution = hx.solve(scene)
     return scene.extent, scene.triangles()[0], solution.radiosity, hx.camera(scene).fov
 
 
