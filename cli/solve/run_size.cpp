@@ -4,6 +4,7 @@
 #include <string>
 
 #include "radiosity/discretization/grid_size.h"
+#include "radiosity/images/image_module.h"
 #include "raster/base/memory_budget.h"
 
 namespace hemitex::cli {
@@ -25,6 +26,7 @@ void requireMemoryOfRun(const radiosity::Scene& scene, const SolveOptions& optio
                             rowBytes(elements, options.solver.rowCacheBytes),
                         options.scene.file.string(), "the run with " + std::to_string(elements) + " elements",
                         "use larger texels or a smaller --row-cache");
+  radiosity::requireSpaceForImages();
 }
 
 }  // namespace hemitex::cli

@@ -19,8 +19,8 @@ struct ImageSamples {
   std::vector<std::string> channelNames = {};  ///< to encode; empty: those of grey or RGB
 };
 
-/// Receives the rows of an image from the top, some at a time, and none at the first call; `height` is that of the whole
-/// image. There are 1 or 3 channels: alpha and further ones are left out.
+/// Receives the rows of an image from the top, some at a time, and none at the first call; `height` is that of the
+/// whole image. There are 1 or 3 channels: alpha and further ones are left out.
 using RowReceiver = std::function<void(const ImageSamples& rows, int height)>;
 
 /// Why an image was not read or written, and what to do about it; both are empty when it was.
@@ -41,8 +41,10 @@ struct ImageFunctions {
                          std::vector<unsigned char>& bytes);
 };
 
-/// Opens the module at the first call. Throws std::runtime_error where it is not found, and InputError where there is
-/// not enough address space for it.
+/// Throws InputError if a limit of the address space leaves too little for the libraries of the module.
+void requireSpaceForImages();
+
+/// Opens the module at the first call. Throws std::runtime_error where it is not found, and InputError as above.
 const ImageFunctions& imageFunctions();
 
 }  // namespace hemitex::radiosity

@@ -5,10 +5,8 @@
 
 namespace hemitex::radiosity {
 
-namespace {
-
-/// Where the libraries behind OpenImageIO, 430 MB when measured, lack address space, some crash or hang.
-void requireAddressSpace() {
+void requireSpaceForImages() {
+  // Where the libraries behind OpenImageIO, 430 MB when measured, lack address space, some crash or hang.
   constexpr std::uint64_t needed = std::uint64_t{512} << 20;
   const std::uint64_t available = raster::freeAddressSpace();
   if (available < needed)
@@ -17,11 +15,9 @@ void requireAddressSpace() {
                              "raise the limit (ulimit -v)");
 }
 
-}  // namespace
-
 const ImageFunctions& imageFunctions() {
   static const void* const functions = [] {
-    requireAddressSpace();
+    requireSpaceForImages();
     return moduleSymbol("hemitex_images.so", "hemitexImageFunctions");
   }();
   return *static_cast<const ImageFunctions*>(functions);
