@@ -9,6 +9,7 @@
 #include <string>
 
 #include "raster/base/input_error.h"
+#include "raster/base/parallel.h"
 #include "tests/support/temporary_folder.h"
 
 /// The function that libFuzzer calls.
@@ -20,7 +21,8 @@ inline std::string textOf(const std::uint8_t* data, std::size_t size) {
   return {reinterpret_cast<const char*>(data), size};
 }
 
-/// A file in a folder of its own, for functions that read files. Each input replaces its content.
+/// A file in a folder of its own, for functions that read files. Each input replaces its content. Use a TMPDIR in
+/// memory: disks take a millisecond per input.
 class InputFile {
  public:
   explicit InputFile(const std::string& name) : path_(folder_.path / name) {}
@@ -36,9 +38,11 @@ class InputFile {
   std::filesystem::path path_;
 };
 
-/// Calls `read`, and ignores the faults that it reports.
+/// Calls `read` with one thread, and ignores the faults that it reports. With more threads, the same input would take
+/// other ways, and libFuzzer would keep it again.
 template <typename Read>
 int ignoringInputErrors(const Read& read) {
+  static const raster::ThreadLimit one(1);
   try {
     read();
   } catch (const raster::InputError&) {

@@ -1,5 +1,5 @@
-// glTF files, text or binary, without decoding their images.
-#include "radiosity/scene/gltf_file.h"
+// glTF files, text or binary, until they are a scene with materials and images.
+#include "radiosity/scene/load_scene.h"
 #include "tests/fuzz/fuzz_input.h"
 
 using namespace hemitex;
@@ -7,5 +7,5 @@ using namespace hemitex;
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static const fuzz::InputFile file("scene.glb");
   const std::filesystem::path& path = file.write(data, size);
-  return fuzz::ignoringInputErrors([&] { radiosity::readGltf(path); });
+  return fuzz::ignoringInputErrors([&] { radiosity::loadScene(path); });
 }
