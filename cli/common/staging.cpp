@@ -6,9 +6,11 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <chrono>
 #include <mutex>
 #include <optional>
 #include <system_error>
+#include <thread>
 
 #include "raster/base/file_io.h"
 #include "raster/base/input_error.h"
@@ -77,17 +79,16 @@ bool isSameFile(const Place& place, const fs::path& file) {
   return stat(file.c_str(), &status) == 0 && status.st_dev == place.device && status.st_ino == place.inode;
 }
 
-/// During its lifetime, this run alone moves files into a folder.
-class MoveLock {
- public:
-  explicit MoveLock(const Folder& folder) : folder_(folder) { flock(folder_.descriptor(), LOCK_EX); }
-  ~MoveLock() { flock(folder_.descriptor(), LOCK_UN); }
-  MoveLock(const MoveLock&) = delete;
-  MoveLock& operator=(const MoveLock&) = delete;
+[[noreturn]] void refuse(const Place& place, const std::string& problem) {
+  throw InputError(place.path.string(), 0, problem, "move it, or choose another place for the result");
+}
 
- private:
-  const Folder& folder_;
-};
+/// Waits until no other run changes the record of a folder, but not for ever: the folder may be the temporary one of a
+/// run that started this one, which keeps its lock.
+void lockRecord(const Folder& folder) {
+  for (int look = 0; look < 100 && flock(folder.descriptor(), LOCK_EX | LOCK_NB) != 0; ++look)
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+}
 
 }  // namespace
 
@@ -135,28 +136,31 @@ Origin Staging::originOf(const std::string& name) const {
   return record_.originOf(final_, name, output_.writer);
 }
 
+/// Throws InputError for a name of an input.
+void Staging::requireOther(const std::string& name) const {
+  const Place place = final_.placeOf(name);
+  if (place.kind != Place::Kind::File || output_.replaced.contains(name)) return;
+  for (const fs::path& input : output_.inputs)
+    if (isSameFile(place, input)) refuse(place, "is read by this run, and its result would replace it");
+}
+
 void Staging::requirePlace(const std::string& name) {
   using Kind = Place::Kind;
   const Place place = final_.placeOf(name);
   if (place.kind == Kind::Nothing || checked_[name] == place) return;
-  const auto refuse = [&](const std::string& problem) {
-    throw InputError(place.path.string(), 0, problem, "move it, or choose another place for the result");
-  };
-  if (place.kind == Kind::Link) refuse("is a link, and results are not written through links");
-  if (place.kind == Kind::Device) refuse("is a device or a pipe, not a file");
-  if (place.kind == Kind::Folder) refuse("is a folder, but a file of the result has this name");
-  if (place.path != final_.pathOf(name)) refuse("is a file, but a folder of the result has this name");
-  for (const fs::path& input : output_.inputs)
-    if (isSameFile(place, input) && !output_.replaced.contains(name))
-      refuse("is read by this run, and its result would replace it");
+  if (place.kind == Kind::Link) refuse(place, "is a link, and results are not written through links");
+  if (place.kind == Kind::Device) refuse(place, "is a device or a pipe, not a file");
+  if (place.kind == Kind::Folder) refuse(place, "is a folder, but a file of the result has this name");
+  if (place.path != final_.pathOf(name)) refuse(place, "is a file, but a folder of the result has this name");
   const Origin origin = originOf(name);
-  if (origin == Origin::Changed) refuse("was changed since hemitex wrote it, and the result would replace it");
+  if (origin == Origin::Changed) refuse(place, "was changed since hemitex wrote it, and the result would replace it");
   if (origin == Origin::Other)
-    refuse("is in the way: hemitex did not write it as a part of this result, and does not replace it");
+    refuse(place, "is in the way: hemitex did not write it as a part of this result, and does not replace it");
   checked_[name] = place;
 }
 
 void Staging::requirePlaces(const std::set<std::string>& names) {
+  for (const std::string& name : names) requireOther(name);  // the most telling reason first
   for (const std::string& name : names) requirePlace(name);
 }
 
@@ -174,11 +178,9 @@ void Staging::writeRecord() const {
 
 void Staging::commit(const std::string& last, const std::set<std::string>& stale) {
   const std::lock_guard guard(openFolders().mutex);  // a signal waits until the result is whole
-  const MoveLock lock(final_);
   const Folder staged(folder());
   std::set<std::string> names;
   for (const fs::path& name : filesBelow(folder())) names.insert(name);
-  if (!output_.isOwn && !record_.isCurrent(final_)) record_ = OutputRecord(final_);
   requirePlaces(names);
   std::set<std::string> removed;
   for (const std::string& name : stale)
@@ -188,8 +190,12 @@ void Staging::commit(const std::string& last, const std::set<std::string>& stale
     for (const auto& [name, hash] : hashes())
       if (!mark(folder() / name, output_.writer, hash)) listed.emplace(name, hash);
   // A run that is killed from here on leaves only files that it could replace, with their old or new content.
-  for (const auto& [name, hash] : listed) record_.add(name, output_.writer, hash);
-  if (!listed.empty()) writeRecord();
+  if (!listed.empty()) {
+    lockRecord(final_);
+    if (!record_.isCurrent(final_)) record_ = OutputRecord(final_);
+    for (const auto& [name, hash] : listed) record_.add(name, output_.writer, hash);
+    writeRecord();
+  }
   if (!last.empty()) final_.remove(last);
   for (const std::string& name : removed) final_.remove(name);
   for (const std::string& name : names)
@@ -200,6 +206,7 @@ void Staging::commit(const std::string& last, const std::set<std::string>& stale
     for (const std::string& name : earlierFiles()) record_.erase(name);
   try {
     if (!listed.empty()) writeRecord();
+    flock(final_.descriptor(), LOCK_UN);
   } catch (const InputError&) {  // the disk is full: the record of the move lists the same files
   }
   checked_.clear();

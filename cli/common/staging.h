@@ -64,6 +64,7 @@ class Staging {
   void commit(const std::string& last = {}, const std::set<std::string>& stale = {});
 
  private:
+  void requireOther(const std::string& name) const;
   void requirePlace(const std::string& name);
   Origin originOf(const std::string& name) const;
   void writeRecord() const;

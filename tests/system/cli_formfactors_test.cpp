@@ -297,7 +297,7 @@ TEST_CASE("hemitex formfactors --all -o F.npz, .mtx and .csv writes the same spa
     if (std::string(name) == "G.csv") CHECK(std::exchange(matrix.columns, facets + 2) == facets);
     CHECK(matrix == read.matrix);
   }
-  CHECK(shell.files().size() == Shell().files().size() + 5);
+  CHECK(shell.files().size() == Shell().files().size() + 6);  // each matrix has its JSON file
 }
 
 TEST_CASE("hemitex formfactors --facets gives the row of each face of a mesh, and --by-surface the sums", "[cli]") {

@@ -232,7 +232,7 @@ TEST_CASE("hemitex solve lowers a --reflectance of 1 or more with a warning", "[
   const Shell shell;
   const std::string given = quickSolve + "--json --max-reflectance 0.9 -o ";
   const json solution = json::parse(shell.output(given + "high --reflectance floor=1,2,0.5"));
-  CHECK(solution["warnings"] == json({"`floor`: a reflectance of 1 or more is lowered to 0.900000"}));
+  CHECK(solution["warnings"] == json({"`floor`: a reflectance of 1 or more is lowered to 0.9"}));
   CHECK(json::parse(shell.output(given + "low --reflectance floor=0.9,0.9,0.5"))["energy"] == solution["energy"]);
 }
 
@@ -258,7 +258,7 @@ TEST_CASE("hemitex refuses wrong lights and reflectances with exit code 2 and an
       {"--lights two.json", "two.json: `floor` has the value [1,2]"},
       {"--lights negative.json", "at least 0"},
       {"--lights list.json", "list.json: is no JSON object"},
-      {"--lights broken.json", "broken.json: "},
+      {"--lights broken.json", "broken.json:1: is not JSON"},
       {"--lights name.json", "name.json: no surface, group or material of the scene is named `flor`"},
       {"--emit '*=0,0,0'", "nothing in the scene emits light"},
   }));
@@ -301,7 +301,7 @@ TEST_CASE("hemitex render --reflectance changes the picture of a bare scene, and
 TEST_CASE("hemitex solve refuses a wrong file of edits first, with its frame and an advice", "[cli]") {
   const Shell shell;
   const auto [text, message] = GENERATE(table<std::string, std::string>({
-      {"", "edits.json: "},
+      {"", "edits.json:1: is not JSON"},
       {"[]", "is no list of frames"},
       {R"({"frames": [[]], "speed": 2})", "is no list of frames"},
       {R"({"frames": [[], [{"move": "flor", "by": [1, 0, 0]}]]})", "frame 2: no surface of the scene is named `flor`"},

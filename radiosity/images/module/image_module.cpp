@@ -7,7 +7,7 @@ namespace hemitex::radiosity {
 
 void requireSpaceForImages() {
   // Where the libraries behind OpenImageIO, 430 MB when measured, lack address space, some crash or hang.
-  constexpr std::uint64_t needed = std::uint64_t{512} << 20;
+  constexpr std::uint64_t needed = std::uint64_t{480} << 20;
   const std::uint64_t available = raster::freeAddressSpace();
   if (available < needed)
     throw raster::InputError("the libraries for images take up to " + raster::memoryText(needed) +
