@@ -7,18 +7,18 @@
 set -euo pipefail
 cd "$1"
 build=$2
-fail() { echo "targets_check.sh: the target $1" >&2; exit 1; }
+fail() { echo "targets_check.sh: $1" >&2; exit 1; }
 
 mapfile -t targets < <(sed -n 's/^| `\([a-z_]*\)` |.*/\1/p' CONTRIBUTING.md)
-[ ${#targets[@]} -ge 10 ] || fail "table of CONTRIBUTING.md was not found"
+[ ${#targets[@]} -ge 10 ] || fail "the table of CONTRIBUTING.md was not found"
 for target in "${targets[@]}"; do
-  command=$(ninja -C "$build" -t commands "$target" | tail -n 1) || fail "$target is not in the build"
+  command=$(ninja -C "$build" -t commands "$target" | tail -n 1) || fail "the target $target is not in the build"
   for word in $command; do
-    case $word in "$PWD/tests/"*) [ -e "$word" ] || fail "$target needs $word, which does not exist" ;; esac
+    case $word in "$PWD/tests/"*) [ -e "$word" ] || fail "the target $target needs $word, which does not exist" ;; esac
   done
   tests=$(sed -n 's/.*hemitex_tests "\?\(\[[^]]*\]\).*/\1/p' <<<"$command")
   if [ -n "$tests" ] && "$build/bin/hemitex_tests" --list-test-names-only "$tests" >/dev/null; then
-    fail "$target runs $tests, and no test has this tag"  # the exit code is the number of tests
+    fail "the target $target runs $tests, and no test has this tag"  # the exit code is the number of tests
   fi
 done
 

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <array>
+#include <fstream>
+#include <string_view>
 
 #include "radiosity/images/image_module.h"
 
@@ -65,21 +67,34 @@ ImageProblem readPixels(OIIO::ImageInput* input, std::uint64_t maxPixels, const 
   return {};
 }
 
+/// OpenImageIO's name of the format that the first bytes say; empty for others.
+std::string formatOf(std::string_view bytes) {
+  if (bytes.starts_with("\x89PNG")) return "png";
+  if (bytes.starts_with("\xff\xd8")) return "jpeg";
+  return bytes.starts_with("\x76\x2f\x31\x01") ? "openexr" : "";
+}
+
+/// The same for a file, or the end of its name. OpenImageIO itself offers a file that its format does not fit to the
+/// readers of all formats, also to those of videos.
+std::string formatOfFile(const std::string& file) {
+  std::array<char, 4> start{};
+  std::ifstream(file, std::ios::binary).read(start.data(), start.size());
+  const std::string format = formatOf({start.data(), start.size()});
+  return format.empty() ? OIIO::Filesystem::extension(file, false) : format;
+}
+
 ImageProblem read(const std::string& file, std::uint64_t maxPixels, const RowReceiver& receive) {
-  const OIIO::ImageSpec config = unassociatedAlpha();
-  const auto input = OIIO::ImageInput::open(file, &config);
-  if (!input) return {"cannot be read as an image", "save it as PNG, JPEG or EXR"};
+  const std::string format = formatOfFile(file);
+  const auto input = format.empty() ? nullptr : OIIO::ImageInput::create(format);
+  OIIO::ImageSpec spec;
+  if (!input || !input->open(file, spec, unassociatedAlpha()))
+    return {"cannot be read as an image", "save it as PNG, JPEG or EXR"};
   return readPixels(input.get(), maxPixels, receive);
 }
 
 ImageProblem decode(const std::vector<unsigned char>& bytes, std::uint64_t maxPixels, const RowReceiver& receive) {
-  constexpr std::array<unsigned char, 4> png{0x89, 'P', 'N', 'G'};
-  constexpr std::array<unsigned char, 2> jpeg{0xff, 0xd8};
-  const auto beginsWith = [&bytes](const auto& start) {
-    return bytes.size() > start.size() && std::equal(start.begin(), start.end(), bytes.begin());
-  };
-  if (!beginsWith(png) && !beginsWith(jpeg)) return {"is neither PNG nor JPEG", "export it as PNG"};
-  const std::string format = beginsWith(png) ? "png" : "jpeg";
+  const std::string format = formatOf({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+  if (format != "png" && format != "jpeg") return {"is neither PNG nor JPEG", "export it as PNG"};
   OIIO::Filesystem::IOMemReader memory(const_cast<unsigned char*>(bytes.data()), bytes.size());
   const auto input = OIIO::ImageInput::create(format);
   OIIO::ImageSpec spec;

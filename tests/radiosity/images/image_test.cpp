@@ -134,6 +134,20 @@ TEST_CASE("readImage throws InputError for a file that is no image, or contains 
   CHECK_THROWS_AS(readImage(folder.path / "nan.exr"), raster::InputError);
 }
 
+TEST_CASE("readImage knows PNG, JPEG and EXR files by their first bytes, and others by their names alone", "[image]") {
+  const TemporaryFolder folder;
+  writePng(folder.path / "a.png", everyCode());
+  std::filesystem::copy(folder.path / "a.png", folder.path / "a.jpg");
+  CHECK(readImage(folder.path / "a.jpg").pixels == readImage(folder.path / "a.png").pixels);
+  const std::string grey("P5 2 1 255\n\x00\xbc", 13);
+  writeBytes(folder.path / "grey.pgm", grey);
+  CHECK_NOTHROW(readImage(folder.path / "grey.pgm"));
+  for (const char* name : {"grey.png", "grey.exr", "grey", "grey.of-no-format"}) {
+    writeBytes(folder.path / name, grey);
+    CHECK_THROWS_AS(readImage(folder.path / name), raster::InputError);
+  }
+}
+
 TEST_CASE("readImage throws InputError for an image with more pixels than memory can hold", "[image]") {
   const TemporaryFolder folder;
   writeBytes(folder.path / "huge.pgm", "P5 60000 60000 255\n");
