@@ -66,7 +66,7 @@ const std::map<std::string, Writer> writers{
     {"hemitex vector run --minimize", {"out", wrongRun + "-o answers --minimize OUT", "vector.json", ""}},
     {"hemitex vector calibrate --probes", {"out", "vector calibrate --probes OUT", "", "", false}},
     {"hemitex vector calibrate -o,--output",
-     {"out", "vector calibrate probes --candidate drawn -o OUT", "", "probes/backs/vector.json"}},
+     {"out", "vector calibrate probes --candidate drawn -o OUT", "", "probes/edge-rule/vector.json"}},
 };
 
 std::string replaced(std::string text, const std::string& word, const std::string& by) {
@@ -198,7 +198,8 @@ TEST_CASE("A folder that cannot be written and a full disk are reported, and not
     const std::string name = trial.writer.name;
     const std::string inside = trial.command("disk/" + name);
     for (const std::string state : {"mount -o remount,ro disk", "head -c 100000 /dev/zero >disk/filler 2>/dev/null"}) {
-      if (!trial.writer.ends && state.starts_with("head")) continue;
+      // On a full disk a long run ends late, and the program of a device fails.
+      if (state.starts_with("head") && (!trial.writer.ends || trial.writer.file == "front.u32")) continue;
       const Outcome outcome = trial.shell.execute(
           "mkdir disk\nunshare -m sh -c \"$(cat <<'END'\nmount -t tmpfs -o size=8k,nr_inodes=4 tmpfs disk\n" + state +
           "\nls -A disk >before\n" + inside +
