@@ -12,8 +12,8 @@ namespace hemitex::raster {
 /// the first group that are in `kept`, such as line ends, stay.
 std::string printable(std::string_view text, std::string_view kept = {});
 
-/// JSON text with escapes such as \u009b for the characters that printable() replaces; line ends between values stay.
-/// Reads back to the same values. The text must be valid UTF-8.
+/// JSON text with escapes, a backslash and `u009b` for one, for the characters that printable() replaces; line ends
+/// between values stay. Reads back to the same values. The text must be valid UTF-8.
 std::string printableJson(std::string_view json);
 
 }  // namespace hemitex::raster
