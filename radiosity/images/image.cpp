@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <string>
+#include <string_view>
 
 #include "radiosity/images/module_calls.h"
 #include "raster/base/file_io.h"
@@ -206,7 +208,13 @@ glm::dvec3 bilinear(const Image& image, const glm::dvec2& uv) { return bilinearI
 glm::dvec3 bilinear(const CodedImage& image, const glm::dvec2& uv) { return bilinearIn(image, uv); }
 
 Image readImage(const std::filesystem::path& file) {
+  std::array<char, 4> start{};
   const raster::InputFile opened = raster::openFile(file);  // OpenImageIO would wait for a pipe
+  const std::string_view found(start.data(), std::fread(start.data(), 1, start.size(), opened.get()));
+  if (found == "\x89PNG" || found.starts_with("\xff\xd8")) {
+    const std::string bytes = raster::readFile(file);
+    return decodeImage({bytes.begin(), bytes.end()}, file);
+  }
   RowCollector collector(file);
   const auto receive = [&collector](const ImageSamples& rows, int height) { collector.add(rows, height); };
   throwIfAny(functionsFor(file).read(file.string(), maxPixels, receive), file);

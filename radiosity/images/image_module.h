@@ -32,7 +32,7 @@ struct ImageProblem {
 /// What the module exports under the name `hemitexImageFunctions`. The functions throw nothing but std::bad_alloc and
 /// what `receive` throws.
 struct ImageFunctions {
-  /// Reads a file of at most `maxPixels` pixels.
+  /// Reads a file of at most `maxPixels` pixels, except PNG and JPEG files.
   ImageProblem (*read)(const std::string& file, std::uint64_t maxPixels, const RowReceiver& receive);
   /// Decodes the bytes of a PNG or JPEG file of at most `maxPixels` pixels.
   ImageProblem (*decode)(const std::vector<unsigned char>& bytes, std::uint64_t maxPixels, const RowReceiver& receive);

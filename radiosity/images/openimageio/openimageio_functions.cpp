@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "radiosity/images/image_module.h"
+#include "radiosity/images/openimageio/bare_images.h"
 
 namespace hemitex::radiosity {
 namespace {
@@ -67,24 +68,19 @@ ImageProblem readPixels(OIIO::ImageInput* input, std::uint64_t maxPixels, const 
   return {};
 }
 
-/// OpenImageIO's name of the format that the first bytes say; empty for others.
-std::string formatOf(std::string_view bytes) {
-  if (bytes.starts_with("\x89PNG")) return "png";
-  if (bytes.starts_with("\xff\xd8")) return "jpeg";
-  return bytes.starts_with("\x76\x2f\x31\x01") ? "openexr" : "";
-}
-
-/// The same for a file, or the end of its name. OpenImageIO itself offers a file that its format does not fit to the
-/// readers of all formats, also to those of videos.
-std::string formatOfFile(const std::string& file) {
+/// OpenImageIO's name of the format that the first bytes of a file say, or else the end of its name. OpenImageIO itself
+/// offers a file that its format does not fit to the readers of all formats, also to those of videos.
+std::string formatOf(const std::string& file) {
   std::array<char, 4> start{};
   std::ifstream(file, std::ios::binary).read(start.data(), start.size());
-  const std::string format = formatOf({start.data(), start.size()});
-  return format.empty() ? OIIO::Filesystem::extension(file, false) : format;
+  const bool isExr = std::string_view(start.data(), start.size()) == "\x76\x2f\x31\x01";
+  return isExr ? "openexr" : OIIO::Filesystem::extension(file, false);
 }
 
 ImageProblem read(const std::string& file, std::uint64_t maxPixels, const RowReceiver& receive) {
-  const std::string format = formatOfFile(file);
+  const std::string format = formatOf(file);
+  if (format == "openexr" && !holdsItsAttributes(file))
+    return {"is cut off: its header promises more", "save it again"};
   const auto input = format.empty() ? nullptr : OIIO::ImageInput::create(format);
   OIIO::ImageSpec spec;
   if (!input || !input->open(file, spec, unassociatedAlpha()))
@@ -93,9 +89,12 @@ ImageProblem read(const std::string& file, std::uint64_t maxPixels, const RowRec
 }
 
 ImageProblem decode(const std::vector<unsigned char>& bytes, std::uint64_t maxPixels, const RowReceiver& receive) {
-  const std::string format = formatOf({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
-  if (format != "png" && format != "jpeg") return {"is neither PNG nor JPEG", "export it as PNG"};
-  OIIO::Filesystem::IOMemReader memory(const_cast<unsigned char*>(bytes.data()), bytes.size());
+  const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  const bool isPng = text.starts_with("\x89PNG");
+  if (!isPng && !text.starts_with("\xff\xd8")) return {"is neither PNG nor JPEG", "export it as PNG"};
+  const std::string format = isPng ? "png" : "jpeg";
+  std::vector<unsigned char> bare = isPng ? barePng(text) : bareJpeg(text);
+  OIIO::Filesystem::IOMemReader memory(bare.data(), bare.size());
   const auto input = OIIO::ImageInput::create(format);
   OIIO::ImageSpec spec;
   if (!input || !input->set_ioproxy(&memory) || !input->open("image." + format, spec, unassociatedAlpha()))

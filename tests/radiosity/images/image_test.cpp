@@ -134,6 +134,29 @@ TEST_CASE("readImage throws InputError for a file that is no image, or contains 
   CHECK_THROWS_AS(readImage(folder.path / "nan.exr"), raster::InputError);
 }
 
+TEST_CASE("readImage takes no memory for attributes of an EXR file that are longer than the file", "[image]") {
+  const TemporaryFolder folder;
+  writeExr(folder.path / "a.exr", everyCode());
+  const std::string bytes = bytesOf(folder.path / "a.exr");
+  for (const char* size : {"\xff\xff\xff\x7f", "\xff\xff\xff\xff"}) {
+    writeBytes(folder.path / "b.exr", bytes.substr(0, 8) + std::string("note\0string\0", 12) + size + bytes.substr(8));
+    CHECK_THROWS_WITH(readImage(folder.path / "b.exr"), Catch::Contains("header promises more"));
+  }
+}
+
+TEST_CASE("readImage ignores texts in PNG files, also those that are longer than the file", "[image]") {
+  const TemporaryFolder folder;
+  writePng(folder.path / "a.png", everyCode());
+  const std::string bytes = bytesOf(folder.path / "a.png");
+  constexpr std::size_t header = 33;  // signature and IHDR
+  const auto withChunk = [&](const std::string& chunk) {
+    writeBytes(folder.path / "b.png", bytes.substr(0, header) + chunk + bytes.substr(header));
+    return readImage(folder.path / "b.png");
+  };
+  CHECK(withChunk(std::string("\0\0\0\3tEXta\0b????", 15)).pixels == readImage(folder.path / "a.png").pixels);
+  CHECK_THROWS_AS(withChunk("\x7f\xff\xff\xfftEXta"), raster::InputError);
+}
+
 TEST_CASE("readImage knows PNG, JPEG and EXR files by their first bytes, and others by their names alone", "[image]") {
   const TemporaryFolder folder;
   writePng(folder.path / "a.png", everyCode());
