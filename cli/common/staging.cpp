@@ -41,18 +41,29 @@ std::string temporaryName(const std::string& file) {
   return prefix + (file.empty() ? "0" : reference::sha256(file).substr(0, 16));
 }
 
+/// Opens a folder in another one, but none of another user, who could put links into it.
+Descriptor ownFolder(const Folder& outer, const std::string& name) {
+  Descriptor folder = outer.open(name, O_RDONLY | O_DIRECTORY);
+  struct stat status = {};
+  if (folder.isOpen() && (fstat(folder.get(), &status) != 0 || status.st_uid != geteuid())) {
+    folder = Descriptor();
+    errno = EPERM;
+  }
+  return folder;
+}
+
 /// Opens and locks a folder in another one. Not open if another run has locked it. Throws InputError if what has the
-/// name is no folder.
+/// name is no folder of this user.
 Descriptor lockedFolder(const Folder& outer, const std::string& name) {
   for (;;) {
-    if (mkdirat(outer.descriptor(), name.c_str(), 0777) != 0 && errno != EEXIST)
+    if (mkdirat(outer.descriptor(), name.c_str(), 0700) != 0 && errno != EEXIST)
       throw InputError(outer.path().string(), 0,
                        "is not a folder that can be written: " + std::generic_category().message(errno),
                        "choose another folder");
-    Descriptor folder = outer.open(name, O_RDONLY | O_DIRECTORY);
+    Descriptor folder = ownFolder(outer, name);
     if (!folder.isOpen() && errno == ENOENT) continue;  // removed by the run that had it
     if (!folder.isOpen())
-      throw InputError((outer.path() / name).string(), 0, "is in the way of the temporary files of this run",
+      throw InputError(outer.pathOf(name).string(), 0, "is in the way of the temporary files of this run",
                        "remove it, or choose another folder");
     if (flock(folder.get(), LOCK_EX | LOCK_NB) != 0) return Descriptor();
     // Between opening and locking, the run that had the folder may have removed it.
@@ -69,7 +80,7 @@ void removeAbandoned(const Folder& outer, const std::string& ours) {
     if (entry.path().filename().string().starts_with(prefix)) names.insert(entry.path().filename());
   names.erase(ours);
   for (const std::string& name : names)
-    if (const Descriptor folder = outer.open(name, O_RDONLY | O_DIRECTORY);
+    if (const Descriptor folder = ownFolder(outer, name);
         folder.isOpen() && flock(folder.get(), LOCK_EX | LOCK_NB) == 0)
       fs::remove_all(outer.path() / name, ignored);
 }
@@ -97,6 +108,10 @@ Staging::Staging(const Output& output)
       name_(output.kind == Output::Kind::File ? output.place.filename().string() : ""),
       final_(output.kind == Output::Kind::File ? output.place.parent_path() : output.place),
       temporary_(temporaryName(name_)) {
+  const auto undo = [this] {
+    if (lock_.isOpen()) rmdir(folder().c_str());
+    final_.removeMade();
+  };
   try {
     if (output.kind == Output::Kind::File && !staysInside(name_))
       throw InputError(output.place.string(), 0, "is a folder, not the name of a file");
@@ -108,10 +123,10 @@ Staging::Staging(const Output& output)
     removeAbandoned(final_, temporary_);
     if (!output_.isOwn) record_ = OutputRecord(final_);
   } catch (const fs::filesystem_error& error) {
+    undo();
     throw InputError(output.place.string(), 0, "cannot be written: " + error.code().message(), "choose another place");
   } catch (const InputError&) {
-    if (lock_.isOpen()) rmdir(folder().c_str());
-    final_.removeMade();
+    undo();
     throw;
   }
   const std::lock_guard guard(openFolders().mutex);

@@ -105,6 +105,22 @@ TEST_CASE("A checkpoint that does not fit is refused with the reason", "[checkpo
   refused(small + "--resume c", "c: is damaged");
 }
 
+TEST_CASE("One run at a time writes a checkpoint; another one is refused and disturbs nothing", "[checkpoint]") {
+  const Shell shell;
+  const std::string endless =
+      "solve room.obj --texels 16 --patch 1 --resolution 64 --residual 1e-300 --size 40x30 --checkpoint c --every "
+      "0.01 ";
+  const Outcome others =
+      shell.execute(program + endless + "-q -o first & run=$!\nuntil [ -e c ]; do sleep 0.01; done\n" + program +
+                    endless + "-o second; second=$?\n" + program + endless + "-o third; third=$?\n" +
+                    "kill -0 $run || exit 99\nkill -KILL $run\nwait $run\n[ $second = 2 ] && [ $third = 2 ]");
+  INFO(others.err);
+  CHECK(others.exitCode == 0);
+  CHECK(others.err.find("c: is in use: another run writes its result there") != others.err.rfind("c: is in use"));
+  CHECK_FALSE(shell.files().contains("second"));
+  shell.output("solve room.obj --texels 4 --resolution 32 --shots 2 --size 40x30 --checkpoint c -o second");
+}
+
 TEST_CASE("--progress json prints lines of JSON, and the last one is that of the last shot", "[checkpoint]") {
   const Shell shell;
   const Outcome outcome = shell.run(plain + "-o out -q --progress json");

@@ -264,6 +264,17 @@ TEST_CASE("A folder from somebody else cannot lead a run out of it", "[outputs]"
   }
 }
 
+TEST_CASE("A temporary folder of another user is not used", "[outputs]") {
+  if (!isRoot) return;
+  const Shell shell;
+  shell.execute("mkdir -p out/.hemitex.partial-0 .hemitex.partial-abc; chown 65534 out/.hemitex.partial-0 .hemitex.*");
+  const Outcome outcome = shell.run(quickSolve + "-o out");
+  CHECK(outcome.exitCode == 2);
+  CHECK_THAT(outcome.err, Contains("out/.hemitex.partial-0: is in the way"));
+  shell.output("render room.obj --size 8x6 -o a.png");
+  CHECK(shell.files().contains(".hemitex.partial-abc"));
+}
+
 TEST_CASE("The record of a folder counts where a file lost its mark", "[outputs]") {
   const Shell shell;
   // A copy has no mark.
@@ -275,4 +286,21 @@ TEST_CASE("The record of a folder counts where a file lost its mark", "[outputs]
   const std::string hash = shell.execute("sha256sum a.png").out.substr(0, 64);
   writeAll(shell.file(".hemitex.json"), R"({"files": {"a.png": {"writer": "render", "sha256": [")" + hash + R"("]}}})");
   shell.output("render room.obj --size 8x6 -o a.png");
+}
+
+TEST_CASE("Where a file system keeps no marks, the record of the folder lists results", "[outputs]") {
+  const Shell shell;
+  if (!isRoot || shell.execute("unshare -m true").exitCode != 0) {
+    WARN("skipped: no file system can be mounted");
+    return;
+  }
+  const Outcome outcome = shell.execute(
+      "mkdir disk\nunshare -m sh -e -c \"$(cat <<'END'\nmount -t ramfs ramfs disk\ncp room.* disk; cd disk\n" +
+      program + "render room.obj --size 8x6 -o a.png -q\n" + program + "render room.obj --size 9x6 -o a.png -q\n" +
+      program + quickSolve + "-o out -q\n" + program + quickSolve + "-o out --no-elements -q\n" +
+      "ls -A . >&2\nls -A out | grep -e hemitex -e elements && exit 9\necho mine >>a.png\n" + program +
+      "render room.obj --size 8x6 -o a.png -q\nEND\n)\"");
+  INFO(outcome.err);
+  CHECK(outcome.exitCode == 2);
+  CHECK_THAT(outcome.err, Contains(".hemitex.json") && Contains("a.png: was changed since hemitex wrote it"));
 }
