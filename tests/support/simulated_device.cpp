@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <cstdint>
+#include <random>
 #include <utility>
 #include <vector>
 
@@ -12,36 +12,20 @@ namespace {
 
 using raster::ViewVertex;
 
-/// splitmix64 (Steele, Lea and Flood 2014). One starts per vertex, which takes std::mt19937 longer than drawing.
-class Random {
- public:
-  explicit Random(std::uint64_t seed) : state_(seed) {}
-
-  std::uint64_t operator()() {
-    std::uint64_t bits = state_ += 0x9e3779b97f4a7c15;
-    bits = (bits ^ bits >> 30) * 0xbf58476d1ce4e5b9;
-    bits = (bits ^ bits >> 27) * 0x94d049bb133111eb;
-    return bits ^ bits >> 31;
-  }
-
- private:
-  std::uint64_t state_;
-};
-
-/// In [-1, 1).
-double anyError(Random& random) { return static_cast<double>(random() >> 11) * 0x1p-52 - 1; }
+/// In [-1, 1].
+double anyError(std::mt19937& random) { return static_cast<double>(random()) * 0x1p-31 - 1; }
 
 /// Seeded by the position, so that triangles which share a vertex get the same error.
-Random generatorOf(std::uint32_t seed, const glm::vec3& position) {
-  std::uint64_t bits = seed;
-  for (int k = 0; k < 3; ++k) bits = Random(bits)() ^ std::bit_cast<std::uint32_t>(position[k]);
-  return Random(bits);
+std::mt19937 generatorOf(std::uint32_t seed, const glm::vec3& position) {
+  std::seed_seq sequence{seed, std::bit_cast<std::uint32_t>(position.x), std::bit_cast<std::uint32_t>(position.y),
+                         std::bit_cast<std::uint32_t>(position.z)};
+  return std::mt19937(sequence);
 }
 
 ViewVertex disturbed(const SimulatedDevice& device, const raster::Face& face, const glm::vec3& position,
                      const glm::vec2& texcoord) {
   ViewVertex vertex = raster::transform(face, position, texcoord);
-  Random random = generatorOf(device.seed, position);
+  std::mt19937 random = generatorOf(device.seed, position);
   const auto error = [&](const glm::vec3& row) {
     double sizes = 0;
     for (int k = 0; k < 3; ++k)
@@ -79,7 +63,7 @@ double snapOn(const SimulatedDevice& device, double q, int resolution) {
 }
 
 /// A depth as the device computes it and rounds it to its format, in total within the profile's error.
-double storedDepth(const SimulatedDevice& device, double depth, Random& random) {
+double storedDepth(const SimulatedDevice& device, double depth, std::mt19937& random) {
   const reference::DeviceProfile& profile = device.profile;
   const double computed =
       depth + anyError(random) * reference::depthError(profile) * std::max(0.0, 1 - 0.5 / profile.depthTolerance);
@@ -202,7 +186,7 @@ bool covers(const SimulatedDevice& device, const SnappedTriangle& triangle, cons
 }
 
 raster::ItemId fetch(const SimulatedDevice& device, const raster::IndexMap& map, const glm::dvec2& texcoord,
-                     const glm::dvec2& rounding, Random& random) {
+                     const glm::dvec2& rounding, std::mt19937& random) {
   const glm::dvec2 size(map.width, map.height);
   glm::dvec2 texel = texcoord * size + device.texelShift;
   if (device.interpolation != Interpolation::Exact) texel = glm::vec2(texcoord) * glm::vec2(size);
@@ -215,7 +199,7 @@ raster::ItemId fetch(const SimulatedDevice& device, const raster::IndexMap& map,
 }
 
 raster::ItemId shade(const SimulatedDevice& device, const raster::DrawList& list, const raster::Draw& draw,
-                     bool facesAway, const glm::dvec2& texcoord, const glm::dvec2& rounding, Random& random) {
+                     bool facesAway, const glm::dvec2& texcoord, const glm::dvec2& rounding, std::mt19937& random) {
   if (facesAway && draw.back) return *draw.back;
   if (!draw.indexMap) return draw.offset;
   const raster::IndexMap& map = list.indexMaps[static_cast<std::size_t>(*draw.indexMap)];
@@ -224,7 +208,7 @@ raster::ItemId shade(const SimulatedDevice& device, const raster::DrawList& list
 }
 
 void drawTriangle(const SimulatedDevice& device, const raster::DrawList& list, const raster::Face& face,
-                  const raster::Draw& draw, const std::array<ViewVertex, 3>& vertices, Random& random,
+                  const raster::Draw& draw, const std::array<ViewVertex, 3>& vertices, std::mt19937& random,
                   std::vector<DevicePixel>& pixels) {
   const SnappedTriangle triangle(device, vertices, face.resolution);
   if (triangle.area == 0) return;
@@ -270,7 +254,7 @@ std::vector<DevicePixel> clearedPixels(const raster::Scissor& scissor, raster::I
 
 void drawList(const SimulatedDevice& device, const raster::DrawList& list, const raster::Face& face,
               std::vector<DevicePixel>& pixels) {
-  Random random(device.seed);
+  std::mt19937 random(device.seed);
   for (const raster::Draw& draw : list.draws)
     for (std::uint32_t first = draw.first; first < draw.first + draw.count; first += 3) {
       std::array<ViewVertex, 3> corners;

@@ -225,7 +225,7 @@ TEST_CASE("calibrate finds an interpolation error of at least that of a device, 
     const DeviceProfile found = calibrate(probes, drawProbes(device, probes)).profile;
     CHECK(found.interpolationError >= roundings);
     CHECK(found.interpolationError <= 4 * roundings);
-    CHECK(found.texelPrecision <= 0x1p-13);
+    CHECK(found.texelPrecision <= 0x1p-14);
   }
 }
 
