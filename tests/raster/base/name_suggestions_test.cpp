@@ -1,7 +1,6 @@
 #include "raster/base/name_suggestions.h"
 
 #include <catch2/catch.hpp>
-#include <chrono>
 
 using hemitex::raster::nearestNames;
 
@@ -22,11 +21,11 @@ TEST_CASE("nearestNames finds a name that differs behind a long beginning", "[su
         "`group/room 1/wall`, `group/room 2/wall`, `group/room 1/door`");
 }
 
-TEST_CASE("nearestNames takes linear time for long names and for many", "[suggestions]") {
+// Comparing all pairs of letters would take minutes.
+TEST_CASE("nearestNames answers for names of 400,000 letters and for 16,000 names", "[suggestions]") {
   std::set<std::string> names;
   for (int i = 0; i < 16000; ++i) names.insert("node " + std::to_string(i) + std::string(200, 'x'));
-  const auto begin = std::chrono::steady_clock::now();
-  nearestNames(names, std::string(40000, 'y'));
-  nearestNames({std::string(400000, 'x'), std::string(400000, 'z')}, std::string(400000, 'y'));
-  CHECK(std::chrono::steady_clock::now() - begin < std::chrono::seconds(1));  // 0.1 s; by all pairs of letters minutes
+  CHECK(nearestNames(names, std::string(40000, 'y')).starts_with("`node "));
+  CHECK(
+      nearestNames({std::string(400000, 'x'), std::string(400000, 'z')}, std::string(400000, 'y')).starts_with("`xxx"));
 }
