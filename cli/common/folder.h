@@ -1,5 +1,5 @@
 /// Folders as open descriptors. No name below an open folder leads through a link: a folder of a result may come from
-/// somebody else, and its links may lead to any place.
+/// another person, and its links may lead to any place.
 #pragma once
 
 #include <cstdint>

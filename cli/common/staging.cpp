@@ -94,7 +94,7 @@ bool isSameFile(const Place& place, const fs::path& file) {
   throw InputError(place.path.string(), 0, problem, "move it, or choose another place for the result");
 }
 
-/// Waits until no other run changes the record of a folder, but not for ever: the folder may be the temporary one of a
+/// Waits until no other run changes the record of a folder, at most a second: the folder may be the temporary one of a
 /// run that started this one, which keeps its lock.
 void lockRecord(const Folder& folder) {
   for (int look = 0; look < 100 && flock(folder.descriptor(), LOCK_EX | LOCK_NB) != 0; ++look)

@@ -24,7 +24,7 @@ struct Output {
   std::filesystem::path place;  ///< of the folder or file
   std::string writer;           ///< the command, and for one file of several the option, such as `render`
   std::set<std::filesystem::path> inputs = {};  ///< the files that the run reads; see Context::inputs
-  std::set<std::string> replaced = {};          ///< names in the folder that are replaced whoever wrote them
+  std::set<std::string> replaced = {};          ///< names in the folder that are replaced in any case
   /// Tells a file of this kind from others by its content; then no record is kept. Empty: the record tells.
   std::function<bool(const std::filesystem::path&)> isOwn = {};
 };

@@ -21,7 +21,7 @@ std::optional<std::uint64_t> freeMemory(const std::filesystem::path& root = "/")
 std::uint64_t freeAddressSpace(const std::filesystem::path& root = "/");
 
 /// The part of the free memory that is never promised: stacks of threads, shared libraries that are opened later, and
-/// the many small allocations that nobody counts.
+/// the many small allocations that are not counted.
 inline constexpr std::uint64_t memoryReserve = std::uint64_t{64} << 20;
 
 /// Smaller requests are granted without a look at the system, so that small files cost no time.

@@ -153,7 +153,7 @@ TEST_CASE("Each option that writes is tried by the tests of outputs", "[outputs]
   CHECK(found == tried);
 }
 
-TEST_CASE("No option replaces the file of somebody else, a link, a device or a folder", "[outputs]") {
+TEST_CASE("No option replaces a file of another origin, a link, a device or a folder", "[outputs]") {
   forEachWriter([](const Trial& trial) {
     const bool isKnown = !trial.writer.file.empty() || trial.writer.name != "out" || trial.writer.ends;
     trial.refuses("rm -rf OUT; mkdir there; ln -s there OUT", "is a link");
@@ -212,7 +212,7 @@ TEST_CASE("A folder that cannot be written and a full disk are reported, and not
   });
 }
 
-TEST_CASE("A result replaces the earlier one of the same option, unless somebody changed it", "[outputs]") {
+TEST_CASE("A result replaces the earlier one of the same option, unless it was changed", "[outputs]") {
   forEachWriter([](const Trial& trial) {
     if (!trial.writer.ends) return;
     const Outcome first = trial.run(), second = trial.run();
@@ -245,7 +245,7 @@ TEST_CASE("Two runs of one result at once: one writes it, the other is refused o
   });
 }
 
-TEST_CASE("A folder from somebody else cannot lead a run out of it", "[outputs]") {
+TEST_CASE("A folder from another person cannot lead a run out of it", "[outputs]") {
   const Shell shell;
   shell.execute("mkdir precious; echo thesis >precious/thesis.txt");
   const auto precious = [&] { return shell.execute("cat precious/thesis.txt; ls -A precious").out; };

@@ -29,7 +29,7 @@ TEST_CASE("printable replaces each byte that is not UTF-8", "[printable]") {
   CHECK(printable("abc\xE2\x80") == "abc??");  // cut off
 }
 
-TEST_CASE("printable keeps the control characters that it is told to keep", "[printable]") {
+TEST_CASE("printable keeps the control characters in `kept`", "[printable]") {
   CHECK(printable("a\tb\nc\r", "\n\t") == "a\tb\nc?");
 }
 
