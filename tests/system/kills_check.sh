@@ -119,6 +119,7 @@ for kind in "${kinds[@]}"; do
       compare
       rm -rf checkpoint pieces
       ends=$((ends + 1))
+      milliseconds=$((milliseconds * 4 / 5 + 1)) # runs have become faster than the first one
       continue
     fi
     killed=$((killed + 1))
