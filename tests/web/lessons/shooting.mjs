@@ -1,7 +1,6 @@
-// Shots, energy and edits against hemitex solve; pictures per second while a block moves.
+// Shots, energy and edits against hemitex solve; pictures while a block moves.
 import {readFileSync, writeFileSync} from "node:fs";
 import {join} from "node:path";
-
 
 /** What hemitex solve finds with the settings of the lesson, with the edits of one frame. */
 function solved({run, folder}, stop, edits) {
