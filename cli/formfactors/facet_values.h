@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "radiosity/meshes/polygon_mesh.h"
-#include "reference/truth/matrices/sparse_matrix.h"
+#include "reference/matrices/sparse_matrix.h"
 
 namespace hemitex::cli {
 

@@ -27,10 +27,10 @@
 #include "radiosity/scene/surface_names.h"
 #include "raster/base/file_io.h"
 #include "reference/base/hashes/sha256.h"
-#include "reference/truth/matrices/matrix_files.h"
-#include "reference/truth/matrices/npz_file.h"
-#include "reference/truth/matrices/smoothing.h"
-#include "reference/truth/rows/scene_rows.h"
+#include "reference/matrices/matrix_files.h"
+#include "reference/matrices/npz_file.h"
+#include "reference/matrices/smoothing.h"
+#include "reference/rows/scene_rows.h"
 #include "reference/truth/solution/form_factor_matrix.h"
 
 namespace hemitex::cli {

@@ -11,7 +11,7 @@
 #include <string_view>
 
 #include "cli/common/staging.h"
-#include "reference/truth/rows/scene_rows.h"
+#include "reference/rows/scene_rows.h"
 
 namespace hemitex::cli {
 

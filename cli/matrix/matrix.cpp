@@ -14,9 +14,9 @@
 #include "radiosity/scene/mesh_sections.h"
 #include "radiosity/scene/surface_names.h"
 #include "raster/base/input_error.h"
-#include "reference/truth/matrices/matrix_files.h"
-#include "reference/truth/matrices/matrix_judge.h"
-#include "reference/truth/rows/scene_rows.h"
+#include "reference/matrices/matrix_files.h"
+#include "reference/matrices/matrix_judge.h"
+#include "reference/rows/scene_rows.h"
 
 namespace hemitex::cli {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "radiosity/discretization/discretization.h"
 #include "radiosity/scene/scene.h"
-#include "reference/truth/rows/scene_rows.h"
+#include "reference/rows/scene_rows.h"
 
 namespace hemitex::cli {
 

@@ -9,7 +9,7 @@
 #include "radiosity/scene/surface_names.h"
 #include "raster/base/input_error.h"
 #include "raster/base/parallel.h"
-#include "reference/truth/matrices/matrix_files.h"
+#include "reference/matrices/matrix_files.h"
 
 namespace hemitex::cli {
 namespace {

@@ -11,7 +11,7 @@
 #include "radiosity/form_factors/form_factor_row.h"
 #include "radiosity/scene/scene.h"
 #include "radiosity/solver/progressive_solver.h"
-#include "reference/truth/facets/facet_form_factors.h"
+#include "reference/rows/facet_form_factors.h"
 
 namespace hemitex::cli {
 

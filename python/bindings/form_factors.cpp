@@ -17,10 +17,10 @@
 #include "radiosity/form_factors/projected_form_factors.h"
 #include "radiosity/index_maps/scene_draw_list.h"
 #include "radiosity/projection/projection_kinds.h"
+#include "reference/matrices/matrix_files.h"
+#include "reference/matrices/matrix_judge.h"
+#include "reference/rows/scene_rows.h"
 #include "reference/truth/closed_forms/polygon_to_polygon.h"
-#include "reference/truth/matrices/matrix_files.h"
-#include "reference/truth/matrices/matrix_judge.h"
-#include "reference/truth/rows/scene_rows.h"
 
 namespace hemitex::python {
 namespace {

@@ -1,7 +1,7 @@
 // Matrices in text and in View3D's files. The first byte says which format the others are in.
 #include <array>
 
-#include "reference/truth/matrices/matrix_files.h"
+#include "reference/matrices/matrix_files.h"
 #include "tests/fuzz/fuzz_input.h"
 
 using namespace hemitex;

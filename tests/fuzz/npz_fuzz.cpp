@@ -1,5 +1,5 @@
 // Matrices in SciPy's files.
-#include "reference/truth/matrices/matrix_files.h"
+#include "reference/matrices/matrix_files.h"
 #include "tests/fuzz/fuzz_input.h"
 
 using namespace hemitex;

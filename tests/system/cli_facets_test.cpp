@@ -6,7 +6,7 @@
 #include <string>
 
 #include "radiosity/meshes/vtk_xml_file.h"
-#include "reference/truth/matrices/matrix_files.h"
+#include "reference/matrices/matrix_files.h"
 #include "reference/truth/solution/direct_solution.h"
 #include "tests/support/shell.h"
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "reference/base/hashes/sha256.h"
-#include "reference/truth/matrices/matrix_files.h"
+#include "reference/matrices/matrix_files.h"
 #include "tests/support/shell.h"
 
 using namespace hemitex::tests;

@@ -4,7 +4,7 @@
 #include <sstream>
 #include <string>
 
-#include "reference/truth/matrices/matrix_files.h"
+#include "reference/matrices/matrix_files.h"
 #include "tests/support/shell.h"
 
 using namespace hemitex::tests;

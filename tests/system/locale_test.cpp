@@ -17,7 +17,7 @@
 #include "reference/conformance/suite/vector_suite.h"
 #include "reference/conformance/vectors/vector_file.h"
 #include "reference/conformance/verdict/device_profile.h"
-#include "reference/truth/matrices/matrix_files.h"
+#include "reference/matrices/matrix_files.h"
 #include "tests/support/glb.h"
 #include "tests/support/shell.h"
 #include "tests/support/temporary_folder.h"

@@ -11,7 +11,7 @@
 #include "raster/base/input_error.h"
 #include "raster/interface/item_buffer_renderer.h"
 #include "raster/interface/item_id.h"
-#include "reference/truth/rows/scene_rows.h"
+#include "reference/rows/scene_rows.h"
 #include "web/bindings/light.h"
 #include "web/bindings/scenes.h"
 #include "web/bindings/vectors.h"

@@ -10,8 +10,8 @@
 #include <filesystem>
 #include <memory>
 
-#include "reference/truth/matrices/matrix_rows.h"
-#include "reference/truth/matrices/sparse_matrix.h"
+#include "reference/matrices/matrix_rows.h"
+#include "reference/matrices/sparse_matrix.h"
 
 namespace hemitex::reference {
 

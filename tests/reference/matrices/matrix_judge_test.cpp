@@ -1,5 +1,5 @@
 /// judgeMatrix: names faults that are injected into true matrices, and accuses no true one.
-#include "reference/truth/matrices/matrix_judge.h"
+#include "reference/matrices/matrix_judge.h"
 
 #include <algorithm>
 #include <array>
@@ -13,9 +13,9 @@
 #include "radiosity/scene/load_scene.h"
 #include "radiosity/scene/mesh_sections.h"
 #include "raster/base/parallel.h"
+#include "reference/matrices/facet_order.h"
+#include "reference/rows/facet_form_factors.h"
 #include "reference/truth/closed_forms/quick_form_factor.h"
-#include "reference/truth/facets/facet_form_factors.h"
-#include "reference/truth/matrices/facet_order.h"
 #include "reference/truth/rays/monte_carlo_form_factors.h"
 #include "tests/support/shell.h"
 

@@ -1,4 +1,4 @@
-#include "reference/truth/matrices/npz_file.h"
+#include "reference/matrices/npz_file.h"
 
 #include <zip.h>
 
@@ -14,7 +14,7 @@
 #include "raster/base/file_io.h"
 #include "raster/base/input_error.h"
 #include "raster/base/memory_budget.h"
-#include "reference/truth/matrices/npy_header.h"
+#include "reference/matrices/npy_header.h"
 
 namespace hemitex::reference {
 namespace {

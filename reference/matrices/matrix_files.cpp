@@ -1,4 +1,4 @@
-#include "reference/truth/matrices/matrix_files.h"
+#include "reference/matrices/matrix_files.h"
 
 #include <algorithm>
 #include <array>
@@ -7,9 +7,9 @@
 #include <string_view>
 
 #include "raster/base/input_error.h"
-#include "reference/truth/matrices/npz_file.h"
-#include "reference/truth/matrices/text_matrices.h"
-#include "reference/truth/matrices/view3d_matrix.h"
+#include "reference/matrices/npz_file.h"
+#include "reference/matrices/text_matrices.h"
+#include "reference/matrices/view3d_matrix.h"
 
 namespace hemitex::reference {
 namespace {

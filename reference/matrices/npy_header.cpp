@@ -1,9 +1,9 @@
-#include "reference/truth/matrices/npy_header.h"
+#include "reference/matrices/npy_header.h"
 
 #include <algorithm>
 
 #include "raster/base/input_error.h"
-#include "reference/truth/matrices/word_reader.h"
+#include "reference/matrices/word_reader.h"
 
 namespace hemitex::reference {
 namespace {

@@ -1,4 +1,4 @@
-#include "reference/truth/rows/scene_rows.h"
+#include "reference/rows/scene_rows.h"
 
 #include <algorithm>
 #include <memory>
@@ -10,9 +10,9 @@
 #include "radiosity/form_factors/scene_form_factors.h"
 #include "raster/base/input_error.h"
 #include "raster/base/parallel.h"
+#include "reference/rows/facet_form_factors.h"
 #include "reference/truth/closed_forms/merged_pieces.h"
 #include "reference/truth/closed_forms/scene_form_factors.h"
-#include "reference/truth/facets/facet_form_factors.h"
 #include "reference/truth/rays/monte_carlo_form_factors.h"
 
 namespace hemitex::reference {

@@ -1,4 +1,4 @@
-#include "reference/truth/matrices/word_reader.h"
+#include "reference/matrices/word_reader.h"
 
 #include <algorithm>
 #include <charconv>

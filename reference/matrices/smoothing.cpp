@@ -1,4 +1,4 @@
-#include "reference/truth/matrices/smoothing.h"
+#include "reference/matrices/smoothing.h"
 
 #include <algorithm>
 #include <cassert>

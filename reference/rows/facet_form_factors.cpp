@@ -1,4 +1,4 @@
-#include "reference/truth/facets/facet_form_factors.h"
+#include "reference/rows/facet_form_factors.h"
 
 #include <algorithm>
 #include <array>

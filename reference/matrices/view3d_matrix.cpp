@@ -1,4 +1,4 @@
-#include "reference/truth/matrices/view3d_matrix.h"
+#include "reference/matrices/view3d_matrix.h"
 
 #include <bit>
 #include <cmath>
@@ -7,7 +7,7 @@
 
 #include "raster/base/file_io.h"
 #include "raster/base/input_error.h"
-#include "reference/truth/matrices/word_reader.h"
+#include "reference/matrices/word_reader.h"
 
 namespace hemitex::reference {
 namespace {

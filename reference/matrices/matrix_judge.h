@@ -23,7 +23,7 @@
 
 #include "radiosity/discretization/discretization.h"
 #include "radiosity/scene/scene.h"
-#include "reference/truth/matrices/sparse_matrix.h"
+#include "reference/matrices/sparse_matrix.h"
 
 namespace hemitex::reference {
 

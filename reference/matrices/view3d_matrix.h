@@ -7,7 +7,7 @@
 
 #include <filesystem>
 
-#include "reference/truth/matrices/matrix_rows.h"
+#include "reference/matrices/matrix_rows.h"
 
 namespace hemitex::reference {
 

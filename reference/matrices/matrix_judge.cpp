@@ -1,4 +1,4 @@
-#include "reference/truth/matrices/matrix_judge.h"
+#include "reference/matrices/matrix_judge.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,8 +9,8 @@
 
 #include "raster/base/parallel.h"
 #include "raster/base/short_number.h"
+#include "reference/matrices/facet_order.h"
 #include "reference/truth/closed_forms/quick_form_factor.h"
-#include "reference/truth/matrices/facet_order.h"
 #include "reference/truth/rays/monte_carlo_form_factors.h"
 
 namespace hemitex::reference {

@@ -1,5 +1,5 @@
 // Files of matrices: what is written reads back bit by bit, SciPy agrees, and damaged files are refused.
-#include "reference/truth/matrices/matrix_files.h"
+#include "reference/matrices/matrix_files.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>

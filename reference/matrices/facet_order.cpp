@@ -1,4 +1,4 @@
-#include "reference/truth/matrices/facet_order.h"
+#include "reference/matrices/facet_order.h"
 
 #include <algorithm>
 #include <cmath>

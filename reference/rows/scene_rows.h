@@ -66,7 +66,7 @@ RowMethod drawnMethod(const radiosity::Scene& scene, const radiosity::Discretiza
                       const radiosity::DrawingSettings& settings,
                       const radiosity::RendererFactory& makeRenderer = radiosity::softwareRenderer);
 
-/// Rows with an error of at most `maxError` (reference/truth/facets/facet_form_factors.h). Each receiver is one surface
+/// Rows with an error of at most `maxError` (reference/rows/facet_form_factors.h). Each receiver is one surface
 /// of one element. Rows are computed in blocks of `blockLength` facets from the one that is asked for, by all threads.
 /// If ranks share the rows, the length is 1, because a rank does not compute facets in their order.
 RowMethod facetMethod(const radiosity::Scene& scene, const radiosity::Discretization& discretization,

@@ -1,5 +1,5 @@
 // MatrixSmoother: reciprocity, sums kept, minimal changes, and smaller errors.
-#include "reference/truth/matrices/smoothing.h"
+#include "reference/matrices/smoothing.h"
 
 #include <algorithm>
 #include <catch2/catch.hpp>

@@ -1,5 +1,5 @@
 /// FacetFormFactors: rows with an estimated error, against closed forms and rays.
-#include "reference/truth/facets/facet_form_factors.h"
+#include "reference/rows/facet_form_factors.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -49,7 +49,7 @@ TEST_CASE("FacetFormFactors of an empty room are closed forms: everything is vis
           polygonToPolygon(room.surfaces[i].triangles[0].position, room.surfaces[row.facets[k]].triangles[0].position);
       CHECK(row.factors[k] == Approx(exact).epsilon(2e-3));
     }
-    CHECK(row.error < 0.005);  // a pixel at the pole is 0.0003
+    CHECK(row.error < 0.005);    // a pixel at the pole is 0.0003
     CHECK(row.points == 4 + 9);  // the first rule is enough
   }
 }

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "reference/truth/matrices/sparse_matrix.h"
+#include "reference/matrices/sparse_matrix.h"
 
 namespace hemitex::reference {
 

@@ -1,4 +1,4 @@
-#include "reference/truth/matrices/sparse_matrix.h"
+#include "reference/matrices/sparse_matrix.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "reference/truth/matrices/text_matrices.h"
+#include "reference/matrices/text_matrices.h"
 
 #include <algorithm>
 #include <array>
@@ -8,7 +8,7 @@
 
 #include "raster/base/input_error.h"
 #include "raster/base/printable_text.h"
-#include "reference/truth/matrices/word_reader.h"
+#include "reference/matrices/word_reader.h"
 
 namespace hemitex::reference {
 namespace {

@@ -26,7 +26,7 @@
 #include <functional>
 #include <vector>
 
-#include "reference/truth/matrices/sparse_matrix.h"
+#include "reference/matrices/sparse_matrix.h"
 
 namespace hemitex::reference {
 

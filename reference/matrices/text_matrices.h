@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <memory>
 
-#include "reference/truth/matrices/matrix_rows.h"
+#include "reference/matrices/matrix_rows.h"
 
 namespace hemitex::reference {
 
