@@ -90,5 +90,21 @@ export default async function check(page, tools) {
   const command = await value("hemicube-command");
   await open(address());
   equal(await value("hemicube-command"), command, "the same after opening the address");
+
+  // A column past the end names no texel, so that the first patch is that without an address.
+  await open("from=floor:8,0");
+  ok((await value("hemicube-command")).includes("--from floor:3,1 "), "a column past the end");
+
+  // Where a block stands on the patch, the hemicube of the last patch follows the settings.
+  await open("from=floor:4,2");
+  await page.getByLabel("Column").fill("5");
+  equal(await value("hemicube-command"), "A block stands on floor:5,2.", "a covered patch");
+  await page.getByLabel("Resolution R").fill("128");
+  await page.getByLabel("Colours").selectOption("shares");
+  const corner = await picture.boundingBox();
+  await picture.click({position: {x: 0.5 * corner.width + 0.3, y: 0.5 * corner.height - 0.3}});
+  close(Number((await value("hemicube-pixel")).split("ΔF = ")[1]), 4 / (Math.PI * 128 ** 2), 1e-7, "R = 128");
+  const {sum: all} = await shown(page);
+  equal(all, "1.0000", "sum of the row of the last patch");
   await tools.answers([[4, "Not yet"], [9, "Right"]]);
 }

@@ -171,20 +171,21 @@ class HemicubeLesson {
     this.draw();
   }
 
+  /** Draws from the patch, or from the last one where a block stands on it. */
   private draw(): void {
     const name = this.texels.name(this.from);
     const source = this.texels.element(this.from);
     if (source === undefined) {
       this.command.set(`A block stands on ${name}.`);
-      return;
+    } else {
+      this.source = source;
+      this.state.set("from", name);
+      this.command.set(
+        `hemitex formfactors data/cornell-box.obj --from ${name} --resolution ${this.resolution} ` +
+          `--texels ${texelsPerSide} --by-surface`,
+      );
     }
-    this.source = source;
-    this.state.set("from", name);
-    this.view = this.elements.hemicube(source, {resolution: this.resolution});
-    this.command.set(
-      `hemitex formfactors data/cornell-box.obj --from ${name} --resolution ${this.resolution} ` +
-        `--texels ${texelsPerSide} --by-surface`,
-    );
+    this.view = this.elements.hemicube(this.source, {resolution: this.resolution});
     this.showSums();
     this.paint();
   }

@@ -24,10 +24,11 @@ export class Texels {
     });
   }
 
-  /** Nothing where another surface covers the texel. */
+  /** Nothing where another surface covers the texel, or outside the surface. */
   element({surface, column, row}: Texel): number | undefined {
-    const element = this.elementsOf[surface][row * this.info.surfaces[surface].columns + column];
-    return element < this.info.elements ? element : undefined;
+    const {columns} = this.info.surfaces[surface];
+    const element = this.elementsOf[surface][row * columns + column];
+    return column < columns && element < this.info.elements ? element : undefined;
   }
 
   /** The first texel of an element. */
