@@ -5,11 +5,11 @@
 #include <ostream>
 #include <string>
 
-#include "raster/base/csv_table.h"
+#include "radiosity/base/csv_table.h"
 
 namespace hemitex::cli {
 
-using raster::Cell, raster::Table, raster::writeCsv;
+using radiosity::Cell, radiosity::Table, radiosity::writeCsv;
 
 /// The table of a list of JSON objects; a single object is one row. Columns are the keys of all objects in the order of
 /// first appearance. An inner key has the column `outer inner`. The cell of a list is the number of its entries.

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <set>
 
-#include "raster/base/name_suggestions.h"
+#include "radiosity/base/name_suggestions.h"
 
 namespace hemitex::cli {
 namespace {
@@ -74,7 +74,7 @@ std::string unknownArgument(const CommandInfo& program, const std::vector<std::s
     for (const CommandInfo& inner : command.commands) names.insert(inner.word());
   if (names.empty()) return "`" + command.name + "` takes no further argument `" + unknown + "`";
   return "`" + argument + "` is no " + (isOption ? "option" : "command") + " of `" + command.name +
-         "`; similar names: " + raster::nearestNames(names, argument);
+         "`; similar names: " + radiosity::nearestNames(names, argument);
 }
 
 }  // namespace hemitex::cli

@@ -8,10 +8,10 @@
 #include <string_view>
 
 #include "cli/common/numbers.h"
+#include "radiosity/base/name_suggestions.h"
 #include "radiosity/scene/mtl_file.h"
 #include "raster/base/file_io.h"
 #include "raster/base/input_error.h"
-#include "raster/base/name_suggestions.h"
 #include "reference/base/json_text.h"
 
 namespace hemitex::cli {
@@ -66,7 +66,7 @@ class BandsReader {
     const std::string owner = "`" + quantity + "` of `" + excerpt(material) + "`";
     if (!names_.contains(material))
       fail(line, "the scene has no material `" + excerpt(material) + "`",
-           "similar names: " + raster::nearestNames(names_, material));
+           "similar names: " + radiosity::nearestNames(names_, material));
     const bool isReflectance = quantity == "reflectance";
     if (!isReflectance && quantity != "emission")
       fail(line, "`" + excerpt(quantity) + "` is no quantity", "the quantities are reflectance and emission");
@@ -124,7 +124,7 @@ void readJson(const std::string& text, const std::filesystem::path& file, BandsR
   for (const auto& [key, value] : content.items())
     if (!keys.contains(key))
       reader.fail(lineOf(text, key), "`" + excerpt(key) + "` is not known here",
-                  "similar keys: " + raster::nearestNames(keys, key));
+                  "similar keys: " + radiosity::nearestNames(keys, key));
   const auto wavelengths = numbersOf(content.value("wavelengths", json()));
   const int line = lineOf(text, "wavelengths");
   if (!wavelengths) reader.fail(line, "`wavelengths` is no list of numbers", jsonForm);

@@ -6,10 +6,10 @@
 #include <string>
 #include <utility>
 
+#include "radiosity/base/name_suggestions.h"
 #include "radiosity/scene/scene_settings.h"
 #include "raster/base/file_io.h"
 #include "raster/base/input_error.h"
-#include "raster/base/name_suggestions.h"
 #include "reference/base/json_text.h"
 
 namespace hemitex::cli {
@@ -52,7 +52,7 @@ std::string kindOf(const json& object) {
   for (const auto& [key, value] : object.items())
     if (key != kind && (kind.empty() || key != editForms().at(kind).argument))
       throw InputError("`" + key + "` is no key of " + (kind.empty() ? "an edit" : "`" + kind + "`"),
-                       "similar keys: " + raster::nearestNames(known, key));
+                       "similar keys: " + radiosity::nearestNames(known, key));
   const EditForm& found = editForms().at(kind);
   if (found.isRequired && !object.contains(found.argument))
     throw InputError("`" + kind + "` has no `" + found.argument + "`", form);

@@ -7,6 +7,7 @@
 #include "cli/common/json.h"
 #include "radiosity/bands/band_textures.h"
 #include "radiosity/bands/element_table.h"
+#include "radiosity/base/csv_table.h"
 #include "radiosity/meshes/vtu_file.h"
 #include "radiosity/pictures/default_camera.h"
 #include "radiosity/pictures/picture_exposure.h"
@@ -15,7 +16,6 @@
 #include "radiosity/scene/surface_names.h"
 #include "radiosity/textures/light_maps.h"
 #include "radiosity/textures/radiosity_texture.h"
-#include "raster/base/csv_table.h"
 #include "raster/base/file_io.h"
 
 namespace hemitex::cli {
@@ -122,8 +122,8 @@ std::vector<std::string> writeSolved(const std::filesystem::path& folder, const 
     radiosity::writeVtu(folder / "scene.vtu", radiosity::readFaces(options.scene.file), facetArrays(solved));
   if (!options.noElements)
     raster::writeFile(folder / "elements.csv", [&solved](std::ostream& stream) {
-      raster::writeCsv(stream,
-                       radiosity::elementTable(solved.scene, solved.discretization, solved.solution, solved.bands));
+      radiosity::writeCsv(stream,
+                          radiosity::elementTable(solved.scene, solved.discretization, solved.solution, solved.bands));
     });
   return warnings;
 }

@@ -9,8 +9,8 @@
 
 namespace hemitex::radiosity {
 
-raster::Table elementTable(const Scene& scene, const Discretization& discretization, const Solution& solution,
-                           const BandSolution* bands) {
+Table elementTable(const Scene& scene, const Discretization& discretization, const Solution& solution,
+                   const BandSolution* bands) {
   const std::vector<double> wavelengths = bands ? bands->wavelengths : std::vector<double>();
   std::vector<std::string> columns{"surface", "column", "row",  "x",   "y",   "z",  "nx",
                                    "ny",      "nz",     "area", "b_r", "b_g", "b_b"};
@@ -20,8 +20,8 @@ raster::Table elementTable(const Scene& scene, const Discretization& discretizat
     const Element& element = discretization.elements[index];
     const auto texels = static_cast<std::uint32_t>(discretization.grids[element.surface].columns);
     const SurfacePoint place = placeOf(static_cast<std::uint32_t>(index));
-    std::vector<raster::Cell> cells{scene.surfaces[element.surface].name, std::int64_t{element.texel % texels},
-                                    std::int64_t{element.texel / texels}};
+    std::vector<Cell> cells{scene.surfaces[element.surface].name, std::int64_t{element.texel % texels},
+                            std::int64_t{element.texel / texels}};
     for (const glm::dvec3& vector : {place.position, place.normal})
       cells.insert(cells.end(), {vector.x, vector.y, vector.z});
     const glm::dvec3& b = solution.radiosity[index];

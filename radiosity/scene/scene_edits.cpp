@@ -8,11 +8,11 @@
 #include <set>
 #include <utility>
 
+#include "radiosity/base/name_suggestions.h"
 #include "radiosity/base/unique_names.h"
 #include "radiosity/scene/load_scene.h"
 #include "radiosity/scene/mtl_file.h"
 #include "raster/base/input_error.h"
-#include "raster/base/name_suggestions.h"
 
 namespace hemitex::radiosity {
 namespace {
@@ -46,9 +46,8 @@ std::vector<std::uint32_t> findOrFail(const std::vector<Surface>& surfaces, cons
   if (!found.empty()) return found;
   std::set<std::string> families;
   for (const Surface& surface : surfaces) families.insert(surface.family);
-  throw InputError(
-      "no surface " + where + " is named `" + raster::excerpt(name) + "`",
-      families.empty() ? "nothing was removed so far" : "similar names: " + raster::nearestNames(families, name));
+  throw InputError("no surface " + where + " is named `" + raster::excerpt(name) + "`",
+                   families.empty() ? "nothing was removed so far" : "similar names: " + nearestNames(families, name));
 }
 
 /// As findOrFail. A name of no surface or family may be that of a group with several materials, of parts, or of a
@@ -68,7 +67,7 @@ std::vector<std::uint32_t> findByMaterial(const Scene& scene, const std::string&
   std::set<std::string> names;
   for (const Surface& surface : scene.surfaces) names.insert({surface.family, materialOf(surface)});
   throw InputError("no surface, group or material of the scene is named `" + raster::excerpt(name) + "`",
-                   "similar names: " + raster::nearestNames(names, name));
+                   "similar names: " + nearestNames(names, name));
 }
 
 /// The numbers with those of their twins, ascending.

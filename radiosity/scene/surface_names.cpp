@@ -3,8 +3,8 @@
 #include <map>
 #include <set>
 
+#include "radiosity/base/name_suggestions.h"
 #include "raster/base/input_error.h"
-#include "raster/base/name_suggestions.h"
 
 namespace hemitex::radiosity {
 namespace {
@@ -21,7 +21,7 @@ std::vector<std::uint32_t> find(const Scene& scene, const std::string& name) {
 std::string suggestions(const Scene& scene, const std::string& wrong) {
   std::set<std::string> families;
   for (const Surface& surface : scene.surfaces) families.insert(surface.family);
-  return raster::nearestNames(families, wrong);
+  return nearestNames(families, wrong);
 }
 
 }  // namespace

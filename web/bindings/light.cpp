@@ -10,11 +10,11 @@
 #include <vector>
 
 #include "radiosity/bands/element_table.h"
+#include "radiosity/base/csv_table.h"
 #include "radiosity/scene/load_scene.h"
 #include "radiosity/solver/dynamic_solution.h"
 #include "radiosity/solver/progressive_solver.h"
 #include "radiosity/solver/shooting_state.h"
-#include "raster/base/csv_table.h"
 #include "raster/base/input_error.h"
 #include "web/bindings/values.h"
 
@@ -117,7 +117,7 @@ class SolutionHandle {
   std::string csv() const {
     return guarded([&] {
       std::ostringstream stream;
-      raster::writeCsv(stream, radiosity::elementTable(scene(), discretization(), solution()));
+      radiosity::writeCsv(stream, radiosity::elementTable(scene(), discretization(), solution()));
       return stream.str();
     });
   }

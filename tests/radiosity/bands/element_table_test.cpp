@@ -9,7 +9,6 @@
 
 using namespace hemitex;
 using namespace hemitex::radiosity;
-using raster::Cell;
 
 namespace {
 
@@ -27,7 +26,7 @@ TEST_CASE("elementTable has a row per element: its texel, centre, normal, area a
                                       tests::quad("floor", {glm::dvec3(0, 0, 0), {4, 0, 0}, {4, 8, 0}, {0, 8, 0}})});
   const Discretization discretization = discretize(scene, {.texels = 2});
   const Solution solution = solutionOf(discretization.elements.size());
-  const raster::Table table = elementTable(scene, discretization, solution);
+  const Table table = elementTable(scene, discretization, solution);
   CHECK(table.columns == std::vector<std::string>{"surface", "column", "row", "x", "y", "z", "nx", "ny", "nz", "area",
                                                   "b_r", "b_g", "b_b"});
   REQUIRE(table.size == discretization.elements.size());
@@ -46,7 +45,7 @@ TEST_CASE("elementTable has a column per band behind the colour", "[elements]") 
   BandSolution bands{{400, 452.5, 500, 600}, {}};
   for (int group = 0; group < 2; ++group) bands.groups.push_back(solutionOf(elements));
   const Solution colours = solutionOf(elements);
-  const raster::Table table = elementTable(scene, discretization, colours, &bands);
+  const Table table = elementTable(scene, discretization, colours, &bands);
   REQUIRE(table.columns.size() == 17);
   CHECK(table.columns[14] == "b_452.5");
   for (std::size_t e = 0; e < elements; ++e) {

@@ -1,9 +1,9 @@
-#include "raster/base/csv_table.h"
+#include "radiosity/base/csv_table.h"
 
 #include <catch2/catch.hpp>
 #include <sstream>
 
-using namespace hemitex::raster;
+using namespace hemitex::radiosity;
 
 TEST_CASE("writeCsv quotes separators, and writes doubles with all their digits", "[table]") {
   const std::vector<std::vector<Cell>> rows{{"a,b", std::int64_t{-7}, 0.1}, {"\"c\"\n\x1B[", std::int64_t{8}, 1e-300}};

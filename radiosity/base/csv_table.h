@@ -11,7 +11,7 @@
 #include <variant>
 #include <vector>
 
-namespace hemitex::raster {
+namespace hemitex::radiosity {
 
 /// Doubles are written as the shortest decimals that read back to the same bits.
 using Cell = std::variant<std::string, std::int64_t, double>;
@@ -25,4 +25,4 @@ struct Table {
 
 void writeCsv(std::ostream& stream, const Table& table);
 
-}  // namespace hemitex::raster
+}  // namespace hemitex::radiosity

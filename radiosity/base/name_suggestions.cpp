@@ -1,4 +1,4 @@
-#include "raster/base/name_suggestions.h"
+#include "radiosity/base/name_suggestions.h"
 
 #include <algorithm>
 #include <iterator>
@@ -9,7 +9,7 @@
 
 #include "raster/base/input_error.h"
 
-namespace hemitex::raster {
+namespace hemitex::radiosity {
 namespace {
 
 constexpr std::size_t maxSuggestions = 3;
@@ -60,8 +60,8 @@ std::string nearestNames(const std::set<std::string>& names, const std::string& 
     if (nearest.size() > maxSuggestions) nearest.erase(std::prev(nearest.end()));
   }
   std::string text;
-  for (const auto& [distance, name] : nearest) text += (text.empty() ? "`" : ", `") + excerpt(name) + "`";
+  for (const auto& [distance, name] : nearest) text += (text.empty() ? "`" : ", `") + raster::excerpt(name) + "`";
   return text;
 }
 
-}  // namespace hemitex::raster
+}  // namespace hemitex::radiosity

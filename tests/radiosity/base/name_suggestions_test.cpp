@@ -1,8 +1,8 @@
-#include "raster/base/name_suggestions.h"
+#include "radiosity/base/name_suggestions.h"
 
 #include <catch2/catch.hpp>
 
-using hemitex::raster::nearestNames;
+using hemitex::radiosity::nearestNames;
 
 TEST_CASE("nearestNames orders names by edit distance, then by alphabet, and gives at most three", "[suggestions]") {
   CHECK(nearestNames({}, "floor").empty());

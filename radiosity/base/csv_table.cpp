@@ -1,4 +1,4 @@
-#include "raster/base/csv_table.h"
+#include "radiosity/base/csv_table.h"
 
 #include <algorithm>
 #include <boost/algorithm/string/join.hpp>
@@ -9,18 +9,18 @@
 #include "raster/base/printable_text.h"
 #include "raster/base/short_number.h"
 
-namespace hemitex::raster {
+namespace hemitex::radiosity {
 namespace {
 
 /// A field of a CSV file, quoted if it contains a separator.
 std::string field(const std::string& raw) {
-  const std::string text = printable(raw);
+  const std::string text = raster::printable(raw);
   if (text.find_first_of(",\"") == std::string::npos) return text;
   return '"' + boost::replace_all_copy(text, "\"", "\"\"") + '"';
 }
 
 std::string field(std::int64_t number) { return std::to_string(number); }
-std::string field(double number) { return toText(number); }
+std::string field(double number) { return raster::toText(number); }
 
 /// Lines [first, end) of a CSV file.
 std::string csvLines(const Table& table, std::size_t first, std::size_t end) {
@@ -44,7 +44,7 @@ void writeCsv(std::ostream& stream, const Table& table) {
   stream << boost::join(columns, ",") << '\n';
   std::vector<std::string> blocks(blocksAtOnce);
   for (std::size_t first = 0; first < table.size; first += rowsOfBlock * blocksAtOnce) {
-    parallelFor(blocksAtOnce, [&](std::size_t block) {
+    raster::parallelFor(blocksAtOnce, [&](std::size_t block) {
       const std::size_t begin = std::min(first + block * rowsOfBlock, table.size);
       blocks[block] = csvLines(table, begin, std::min(begin + rowsOfBlock, table.size));
     });
@@ -52,4 +52,4 @@ void writeCsv(std::ostream& stream, const Table& table) {
   }
 }
 
-}  // namespace hemitex::raster
+}  // namespace hemitex::radiosity
