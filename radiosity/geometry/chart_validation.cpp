@@ -140,7 +140,7 @@ ChartTriangle roundedChart(const ChartTriangle& triangle) {
 }
 
 std::vector<ChartConflict> chartConflicts(std::span<const ChartTriangle> triangles, std::size_t limit,
-                                          bool mayOverlap) {
+                                          bool testsOverlap) {
   using Kind = ChartConflict::Kind;
   std::vector<ChartConflict> conflicts;
   if (triangles.empty()) return conflicts;
@@ -150,7 +150,7 @@ std::vector<ChartConflict> chartConflicts(std::span<const ChartTriangle> triangl
       conflicts.push_back({Kind::Outside, i});
     } else if (!hasChartArea(triangles[i])) {
       conflicts.push_back({Kind::NoArea, i});
-    } else if (!mayOverlap) {
+    } else if (!testsOverlap) {
       continue;
     } else if (const std::optional<std::uint32_t> other = grid.overlapped(i)) {
       conflicts.push_back({Kind::Overlap, i, *other});

@@ -35,9 +35,9 @@ struct ChartConflict {
 };
 
 /// Returns the triangles to remove, ascending, so that the rest is a chart. Each triangle is tested against the earlier
-/// ones that stay, unless `mayOverlap` is false. Stops at `limit` conflicts. Coordinates must be rounded. Takes linear
-/// time for triangles of about equal size.
+/// ones that stay, unless `testsOverlap` is false: they are known not to overlap. Stops at `limit` conflicts.
+/// Coordinates must be rounded. Takes linear time for triangles of about equal size.
 std::vector<ChartConflict> chartConflicts(std::span<const ChartTriangle> triangles, std::size_t limit = SIZE_MAX,
-                                          bool mayOverlap = true);
+                                          bool testsOverlap = true);
 
 }  // namespace hemitex::radiosity

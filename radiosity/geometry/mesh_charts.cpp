@@ -51,8 +51,8 @@ class Parts {
     while (!part.triangles.empty()) {
       part.charts = boundingRectangle(part.triangles, direction);
       const auto isOfFirstFace = [&](std::uint32_t t) { return faces_[t] == faces_[part.triangles[0]]; };
-      const bool mayOverlap = !std::all_of(part.triangles.begin(), part.triangles.end(), isOfFirstFace);
-      const std::vector<ChartConflict> conflicts = chartConflicts(part.charts, SIZE_MAX, mayOverlap);
+      const bool isOneFace = std::all_of(part.triangles.begin(), part.triangles.end(), isOfFirstFace);
+      const std::vector<ChartConflict> conflicts = chartConflicts(part.charts, SIZE_MAX, !isOneFace);
       if (conflicts.empty()) return part;
       part.triangles = freed(part.triangles, conflicts);
     }
