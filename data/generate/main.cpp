@@ -1,4 +1,4 @@
-/// Writes scenes into a folder: those of data/, random rooms, or a room of many surfaces.
+/// Writes scenes into a folder: random rooms, or a room of many surfaces.
 
 #include <charconv>
 #include <cstring>
@@ -6,7 +6,6 @@
 #include <iostream>
 #include <limits>
 
-#include "data/generate/models.h"
 #include "data/generate/random_room.h"
 #include "data/generate/tiled_room.h"
 #include "raster/base/input_error.h"
@@ -38,17 +37,14 @@ int numberAfter(const char* option, int argc, char** argv, int least, int most) 
 int main(int argc, char** argv) {
   const int rooms = numberAfter("--rooms", argc, argv, 1, std::numeric_limits<int>::max());
   const int tiles = numberAfter("--tiles", argc, argv, 2, maxTiles);
-  if (argc != 2 && rooms == 0 && tiles == 0) {
-    std::cerr << "usage: hemitex_data DIR            writes the scenes of data/ into a folder\n"
-                 "       hemitex_data DIR --rooms N  writes N rooms drawn at random, from the seeds 1 to N\n"
+  if (rooms == 0 && tiles == 0) {
+    std::cerr << "usage: hemitex_data DIR --rooms N  writes N rooms drawn at random, from the seeds 1 to N\n"
                  "       hemitex_data DIR --tiles N  writes a room of 16 N^2 surfaces, N from 2 to "
               << maxTiles << '\n';
     return 2;
   }
   try {
     if (tiles > 0) write(argv[1], tiledRoom(tiles));
-    if (argc == 2)
-      for (const Model& model : allModels()) write(argv[1], model);
     for (int seed = 1; seed <= rooms; ++seed) write(argv[1], randomRoom(static_cast<std::uint32_t>(seed)));
   } catch (const hemitex::raster::InputError& error) {
     std::cerr << "hemitex_data: " << error.what() << '\n';

@@ -7,11 +7,16 @@
 #include <random>
 
 #include "data/generate/boxes.h"
-#include "data/generate/seams.h"
 #include "data/generate/shapes.h"
 
 namespace hemitex::data {
 namespace {
+
+/// Each coordinate as the nearest multiple of 1 / `steps`, so that adjacent parts meet exactly.
+glm::dvec3 roundedPosition(const glm::dvec3& position, double steps) {
+  return {std::nearbyint(position.x * steps) / steps, std::nearbyint(position.y * steps) / steps,
+          std::nearbyint(position.z * steps) / steps};
+}
 
 constexpr std::size_t maxSurfaces = 40;
 constexpr int maxAttempts = 200;

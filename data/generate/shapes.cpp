@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cassert>
 
 namespace hemitex::data {
 
@@ -29,21 +28,6 @@ std::vector<Polygon> sides(const Polygon& top, double y) {
   for (std::size_t i = 0; i < top.corners.size(); ++i) {
     const std::size_t next = (i + 1) % top.corners.size();
     result.push_back({{bottom.corners[i], bottom.corners[next], top.corners[next], top.corners[i]}});
-  }
-  return result;
-}
-
-std::vector<Polygon> frame(const Polygon& quad, const Polygon& hole) {
-  assert(quad.corners.size() == 4 && hole.corners.size() % 4 == 0);
-  const std::size_t edges = hole.corners.size() / 4;
-  const auto holeCorner = [&](std::size_t i) { return hole.corners[i % hole.corners.size()]; };
-  std::vector<Polygon> result;
-  for (std::size_t side = 0; side < 4; ++side) {
-    const glm::dvec3 corner = quad.corners[side];
-    const std::size_t first = side * edges;
-    const std::size_t last = first + edges;
-    result.push_back({{corner, quad.corners[(side + 1) % 4], holeCorner(last), holeCorner(last - 1)}});
-    for (std::size_t i = first; i + 1 < last; ++i) result.push_back({{corner, holeCorner(i + 1), holeCorner(i)}});
   }
   return result;
 }

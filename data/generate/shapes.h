@@ -22,11 +22,6 @@ Polygon atHeight(const Polygon& polygon, double y);
 /// outwards and follow the edges of `top`: of a rectangle front (+z), right (+x), back (-z), left (-x).
 std::vector<Polygon> sides(const Polygon& top, double y);
 
-/// The rest of a quad after cutting out a hole; both have the same winding in one plane. The hole has s edges along
-/// each edge of the quad, beginning at corresponding corners. Each vertex of the hole is a vertex of the adjacent
-/// faces, so that there are no gaps between the frame and the content of the hole.
-std::vector<Polygon> frame(const Polygon& quad, const Polygon& hole);
-
 /// The groups wall-front, wall-right, wall-back and wall-left from the floor at y = 0 up to `ceiling`, a rectangle
 /// that faces up; they face inwards. One material each.
 std::vector<Group> walls(const Polygon& ceiling, const std::vector<std::string>& materials);
