@@ -1,9 +1,10 @@
 #include "cli/report/html_page.h"
 
-#include <boost/archive/iterators/base64_from_binary.hpp>
-#include <boost/archive/iterators/transform_width.hpp>
+#include <algorithm>
+#include <cstdint>
 #include <fstream>
 #include <iterator>
+#include <string_view>
 
 #include "cli/common/json.h"
 #include "cli/report/embedded_files.h"
@@ -29,10 +30,15 @@ std::string completePage(const std::string& page, const nlohmann::ordered_json& 
 }
 
 std::string base64(const std::string& bytes) {
-  using namespace boost::archive::iterators;
-  using Letters = base64_from_binary<transform_width<std::string::const_iterator, 6, 8>>;
-  std::string text(Letters(bytes.begin()), Letters(bytes.end()));
-  while (text.size() % 4 != 0) text += '=';
+  constexpr std::string_view letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  text.reserve((bytes.size() + 2) / 3 * 4);
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    const std::size_t count = std::min<std::size_t>(3, bytes.size() - i);
+    std::uint32_t bits = 0;
+    for (std::size_t k = 0; k < 3; ++k) bits = bits << 8 | (k < count ? static_cast<std::uint8_t>(bytes[i + k]) : 0u);
+    for (std::size_t k = 0; k < 4; ++k) text += k <= count ? letters[bits >> (18 - 6 * k) & 63] : '=';
+  }
   return text;
 }
 

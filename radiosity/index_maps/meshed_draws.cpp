@@ -1,19 +1,20 @@
 #include "radiosity/index_maps/meshed_draws.h"
 
 #include <array>
-#include <boost/container_hash/hash.hpp>
 #include <cmath>
 #include <optional>
+#include <string_view>
 #include <unordered_map>
 
 #include "radiosity/discretization/exposed_pieces.h"
 #include "radiosity/discretization/texel_areas.h"
 #include "radiosity/geometry/grid_clipping.h"
+#include "raster/base/cross.h"
 
 namespace hemitex::radiosity {
 namespace {
 
-double cross(const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y * b.x; }
+using raster::cross;
 
 /// The weights, of the triangle's corners 1 and 2, of the projection of a point onto the plane of the triangle.
 glm::dvec2 weightsInPlane(const Triangle& triangle, const glm::dvec3& point) {
@@ -54,6 +55,14 @@ std::optional<Piece> quadOf(const Triangle& first, const Triangle& second, const
   return isConvex ? std::optional(quad) : std::nullopt;
 }
 
+using Place = std::array<std::int64_t, 3>;
+
+struct HashOfPlace {
+  std::size_t operator()(const Place& place) const {
+    return std::hash<std::string_view>()({reinterpret_cast<const char*>(place.data()), sizeof place});
+  }
+};
+
 /// Merges positions on a grid of 2^-30 extents or finer.
 class Corners {
  public:
@@ -61,7 +70,7 @@ class Corners {
 
   /// The number of a position, the same for all positions at one place of the grid. Appends new positions.
   std::uint32_t numberOf(const glm::dvec3& position, std::vector<glm::vec3>& positions) {
-    std::array<std::int64_t, 3> place;
+    Place place;
     glm::vec3 rounded;
     for (int axis = 0; axis < 3; ++axis) {
       const double units = std::nearbyint((position[axis] - origin_[axis]) / unit_);
@@ -76,7 +85,7 @@ class Corners {
  private:
   glm::dvec3 origin_;
   double unit_;
-  std::unordered_map<std::array<std::int64_t, 3>, std::uint32_t, boost::hash<std::array<std::int64_t, 3>>> numbers_;
+  std::unordered_map<Place, std::uint32_t, HashOfPlace> numbers_;
 };
 
 /// Appends the pieces of the surfaces, one surface at a time.

@@ -1,12 +1,14 @@
 #include "radiosity/scene/mesh_sections.h"
 
 #include <algorithm>
-#include <boost/container_hash/hash.hpp>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <span>
+#include <string>
 #include <tuple>
 
+#include "radiosity/base/bytes.h"
 #include "radiosity/base/unique_names.h"
 #include "radiosity/geometry/mesh_charts.h"
 #include "radiosity/geometry/triangulation.h"
@@ -146,10 +148,9 @@ std::vector<std::uint32_t> firstOfEqual(const PolygonMesh& mesh) {
   std::vector<std::pair<std::size_t, std::uint32_t>> hashes;
   hashes.reserve(mesh.polygons.size());
   for (std::uint32_t p = 0; p < mesh.polygons.size(); ++p) {
-    std::size_t hash = 0;
-    for (const glm::dvec3& corner : cornersOf(p))
-      for (int axis = 0; axis < 3; ++axis) boost::hash_combine(hash, corner[axis] + 0.0);  // -0 is 0
-    hashes.emplace_back(hash, p);
+    std::string bytes;
+    for (const glm::dvec3& corner : cornersOf(p)) appendBytes(bytes, corner + 0.0);  // -0 is 0
+    hashes.emplace_back(std::hash<std::string>()(bytes), p);
   }
   std::sort(hashes.begin(), hashes.end());
   std::vector<std::uint32_t> first(mesh.polygons.size());
