@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-#include "radiosity/images/channel_image.h"
+#include "radiosity/images/image.h"
 #include "radiosity/textures/radiosity_texture.h"
 #include "raster/base/short_number.h"
 

@@ -244,4 +244,11 @@ void writeExr(const std::filesystem::path& file, const Image& image) {
   writeBytes(file, encode(file, "openexr", "Linear", samples));
 }
 
+void writeExr(const std::filesystem::path& file, const ChannelImage& image) {
+  ImageSamples samples{image.width, image.height, static_cast<int>(image.channels.size()), {}, {}, image.channels};
+  samples.values.reserve(image.values.size());
+  for (const double value : image.values) samples.values.push_back(floatOf(value, file));
+  writeBytes(file, encode(file, "openexr", "Linear", samples));
+}
+
 }  // namespace hemitex::radiosity

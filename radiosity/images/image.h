@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <glm/glm.hpp>
+#include <string>
 #include <vector>
 
 namespace hemitex::radiosity {
@@ -21,6 +22,15 @@ struct CodedImage {
   int width = 0;
   int height = 0;
   std::vector<std::uint8_t> codes;  ///< 3 * width * height codes
+};
+
+/// Image with any number of named channels, such as one per band of wavelengths: row-major, linear values, channel by
+/// channel within a pixel; row 0 is the top.
+struct ChannelImage {
+  int width = 0;
+  int height = 0;
+  std::vector<std::string> channels;  ///< their names; at least one
+  std::vector<double> values;         ///< width * height * channels
 };
 
 /// The linear value in [0,1] of an sRGB-encoded value in [0,1] (IEC 61966-2-1).
@@ -54,5 +64,6 @@ void writePng(const std::filesystem::path& file, const Image& image);
 /// Writes a 32-bit float linear RGB EXR; equal pixels give equal files. Throws InputError as writePng, and if a value
 /// exceeds the range of 32-bit floats.
 void writeExr(const std::filesystem::path& file, const Image& image);
+void writeExr(const std::filesystem::path& file, const ChannelImage& image);
 
 }  // namespace hemitex::radiosity

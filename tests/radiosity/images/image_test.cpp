@@ -130,7 +130,7 @@ TEST_CASE("readImage throws InputError for a file that is no image, or contains 
   const std::string bytes = bytesOf(folder.path / "whole.exr");
   writeBytes(folder.path / "cut.exr", bytes.substr(0, bytes.size() / 2));
   CHECK_THROWS_AS(readImage(folder.path / "cut.exr"), raster::InputError);
-  writeExr(folder.path / "nan.exr", {1, 1, {{0, std::numeric_limits<double>::quiet_NaN(), 0}}});
+  writeExr(folder.path / "nan.exr", Image{1, 1, {{0, std::numeric_limits<double>::quiet_NaN(), 0}}});
   CHECK_THROWS_AS(readImage(folder.path / "nan.exr"), raster::InputError);
 }
 
@@ -233,9 +233,28 @@ TEST_CASE("writePng reports a full disk, and does not remove other files", "[ima
 TEST_CASE("writeExr refuses values above the range of 32 bits, and keeps others", "[image]") {
   const TemporaryFolder folder;
   const double most = std::numeric_limits<float>::max();
-  writeExr(folder.path / "most.exr", {1, 1, {{most, -most, 0}}});
+  writeExr(folder.path / "most.exr", Image{1, 1, {{most, -most, 0}}});
   CHECK(readImage(folder.path / "most.exr").pixels == std::vector{glm::dvec3(most, -most, 0)});
-  CHECK_THROWS_WITH(writeExr(folder.path / "more.exr", {1, 1, {{0, 1.01 * most, 0}}}),
+  CHECK_THROWS_WITH(writeExr(folder.path / "more.exr", Image{1, 1, {{0, 1.01 * most, 0}}}),
                     Catch::Contains("more.exr") && Catch::Contains("scale the light down"));
   CHECK_FALSE(std::filesystem::exists(folder.path / "more.exr"));
+}
+
+TEST_CASE("writeExr of the channels R, G and B gives the file of an image", "[image]") {
+  const TemporaryFolder folder;
+  writeExr(folder.path / "image.exr", Image{2, 1, {{1, 2, 3}, {-4, 5e30, 0}}});
+  writeExr(folder.path / "channels.exr", ChannelChannelImage{2, 1, {"R", "G", "B"}, {1, 2, 3, -4, 5e30, 0}});
+  CHECK(bytesOf(folder.path / "image.exr") == bytesOf(folder.path / "channels.exr"));
+}
+
+// readImage gives the first three channels of a file, which are R, G and B, or in the order of their names.
+TEST_CASE("writeExr keeps the values of channels with any names", "[image]") {
+  const TemporaryFolder folder;
+  const std::filesystem::path file = folder.path / "bands.exr";
+  writeExr(file, ChannelImage{1, 2, {"b_400", "b_500", "b_600"}, {1, 2, 3, 4, 5, 6}});
+  CHECK(readImage(file).pixels == std::vector{glm::dvec3(1, 2, 3), glm::dvec3(4, 5, 6)});
+  writeExr(file, ChannelImage{1, 1, {"R", "G", "B", "b_400", "b_500"}, {1, 2, 3, 4, 5}});
+  CHECK(readImage(file).pixels == std::vector{glm::dvec3(1, 2, 3)});
+  CHECK(bytesOf(file).find(std::string("b_500") + '\0') != std::string::npos);
+  CHECK_THROWS_AS(writeExr(file, ChannelImage{1, 1, {"b_400"}, {1e39}}), raster::InputError);
 }
