@@ -4,7 +4,11 @@
 #include <limits>
 #include <optional>
 
+#include "radiosity/ranks/messenger.h"
+
 namespace hemitex::cli {
+
+bool Context::isWriter() const { return !ranks || ranks->rank() == 0; }
 
 std::set<std::filesystem::path> Context::inputs(const std::vector<std::filesystem::path>& others) const {
   std::set<std::filesystem::path> inputs = givenInputs(paths);

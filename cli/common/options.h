@@ -12,7 +12,10 @@
 #include "cli/common/command_line.h"
 #include "cli/common/console.h"
 #include "cli/common/numbers.h"
-#include "radiosity/ranks/messenger.h"
+
+namespace hemitex::radiosity {
+class Messenger;
+}
 
 namespace hemitex::cli {
 
@@ -27,10 +30,10 @@ struct Context {
   PathOptions paths;
   /// Whether the ranks of a parallel run share the work of the command. Otherwise rank 0 does it alone.
   bool isShared = false;
-  std::unique_ptr<radiosity::Messenger> ranks;  ///< while a shared command runs with several ranks; otherwise null
+  std::shared_ptr<radiosity::Messenger> ranks;  ///< while a shared command runs with several ranks; otherwise null
 
   /// Whether this process writes the results: alone or as rank 0.
-  bool isWriter() const { return !ranks || ranks->rank() == 0; }
+  bool isWriter() const;
   /// The files that the command line names as inputs, and those that they led to.
   std::set<std::filesystem::path> inputs(const std::vector<std::filesystem::path>& others = {}) const;
   bool failed = false;  ///< set by a command if its comparison or verification failed
