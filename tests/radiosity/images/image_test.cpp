@@ -243,7 +243,7 @@ TEST_CASE("writeExr refuses values above the range of 32 bits, and keeps others"
 TEST_CASE("writeExr of the channels R, G and B gives the file of an image", "[image]") {
   const TemporaryFolder folder;
   writeExr(folder.path / "image.exr", Image{2, 1, {{1, 2, 3}, {-4, 5e30, 0}}});
-  writeExr(folder.path / "channels.exr", ChannelChannelImage{2, 1, {"R", "G", "B"}, {1, 2, 3, -4, 5e30, 0}});
+  writeExr(folder.path / "channels.exr", ChannelImage{2, 1, {"R", "G", "B"}, {1, 2, 3, -4, 5e30, 0}});
   CHECK(bytesOf(folder.path / "image.exr") == bytesOf(folder.path / "channels.exr"));
 }
 
