@@ -25,8 +25,8 @@ const std::string form =
 
 /// The second key of an edit, which holds its argument; empty if the edit has none.
 struct EditForm {
-  std::string argument;
-  bool isRequired;
+  std::string argument = {};
+  bool isRequired = false;
 };
 const std::map<std::string, EditForm>& editForms() {
   static const std::map<std::string, EditForm> forms = {{"move", {"by", true}},     {"remove", {"", false}},
@@ -46,14 +46,14 @@ std::string kindOf(const json& object) {
                  ? key
                  : throw InputError("an edit is two edits at once; write two objects: " + reference::shortText(object),
                                     form);
+  const EditForm found = kind.empty() ? EditForm() : editForms().at(kind);
   std::set<std::string> known;
   for (const auto& [name, some] : editForms()) known.insert({name, some.argument});
   known.erase("");
   for (const auto& [key, value] : object.items())
-    if (key != kind && (kind.empty() || key != editForms().at(kind).argument))
+    if (key.empty() || (key != kind && key != found.argument))
       throw InputError("`" + key + "` is no key of " + (kind.empty() ? "an edit" : "`" + kind + "`"),
                        "similar keys: " + radiosity::nearestNames(known, key));
-  const EditForm& found = editForms().at(kind);
   if (found.isRequired && !object.contains(found.argument))
     throw InputError("`" + kind + "` has no `" + found.argument + "`", form);
   return kind;

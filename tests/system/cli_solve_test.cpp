@@ -308,6 +308,8 @@ TEST_CASE("hemitex solve refuses a wrong file of edits first, with its frame and
       {R"({"frames": [[{"move": "flor", "by": [1, 0, 0]}]]})", "`floor`"},
       {R"({"frames": [[{"mov": "floor", "by": [1, 0, 0]}]]})", "`move`"},
       {R"({"frames": [[{"move": "floor", "to": [1, 0, 0]}]]})", "`to` is no key of `move`"},
+      {R"({"frames": [[{"": [1, 0, 0]}]]})", "`` is no key of an edit"},
+      {R"({"frames": [[{"remove": "floor", "": 1}]]})", "`` is no key of `remove`"},
       {R"({"frames": [[{"move": "floor"}]]})", "`move` has no `by`"},
       {R"({"frames": [[{"move": "floor", "by": [1, 0]}]]})", "frame 1: "},
       {R"({"frames": [[{"move": "floor", "remove": "floor", "by": [1, 0, 0]}]]})", "an edit is two"},
