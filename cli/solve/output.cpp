@@ -5,6 +5,8 @@
 #include <utility>
 
 #include "cli/common/json.h"
+#include "cli/report/solved_page.h"
+#include "cli/solve/options.h"
 #include "radiosity/bands/band_textures.h"
 #include "radiosity/bands/element_table.h"
 #include "radiosity/base/csv_table.h"
@@ -15,6 +17,7 @@
 #include "radiosity/scene/load_scene.h"
 #include "radiosity/scene/surface_names.h"
 #include "radiosity/textures/light_maps.h"
+#include "radiosity/textures/lit_scene.h"
 #include "radiosity/textures/radiosity_texture.h"
 #include "raster/base/file_io.h"
 

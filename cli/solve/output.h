@@ -7,11 +7,12 @@
 #include <string>
 #include <vector>
 
-#include "cli/report/solved_page.h"
 #include "cli/solve/solution_json.h"
-#include "radiosity/textures/lit_scene.h"
 
 namespace hemitex::cli {
+
+struct Convergence;
+struct ShownScene;
 
 /// The names of all files of a result, relative to its folder. Those of a frame are as if its edits added no surface.
 std::set<std::string> outputNames(const SolveOptions& options, const radiosity::Scene& scene,

@@ -6,7 +6,10 @@
 
 #include "cli/common/json.h"
 #include "cli/common/numbers.h"
+#include "cli/solve/options.h"
+#include "radiosity/bands/colour_solution.h"
 #include "radiosity/index_maps/phantom_indices.h"
+#include "radiosity/textures/lit_scene.h"
 #include "reference/base/hashes/sha256.h"
 
 namespace hemitex::cli {

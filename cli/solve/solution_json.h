@@ -1,21 +1,28 @@
 /// solution.json of a solved folder (settings, counts and the balance of flux), and its summary for people.
 #pragma once
 
+#include <cstdint>
+#include <glm/glm.hpp>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
-#include "cli/solve/options.h"
-#include "radiosity/bands/colour_solution.h"
-#include "radiosity/discretization/discretization.h"
-#include "radiosity/index_maps/id_layout.h"
 #include "radiosity/pictures/camera.h"
-#include "radiosity/scene/scene.h"
-#include "radiosity/solver/progressive_solver.h"
-#include "radiosity/textures/lit_scene.h"
+
+namespace hemitex::radiosity {
+struct BandSolution;
+struct Discretization;
+struct IdLayout;
+struct LitScene;
+struct Scene;
+struct Solution;
+}  // namespace hemitex::radiosity
 
 namespace hemitex::cli {
+
+struct SolveOptions;
 
 /// A solution, what it was computed from, and how it is shown.
 struct SolvedScene {

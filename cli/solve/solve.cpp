@@ -19,6 +19,7 @@
 #include "cli/solve/run.h"
 #include "cli/solve/run_size.h"
 #include "radiosity/solver/dynamic_solution.h"
+#include "radiosity/textures/lit_scene.h"
 #include "raster/base/file_io.h"
 #include "raster/base/input_error.h"
 #include "reference/base/stopwatch.h"

@@ -27,6 +27,7 @@
 #include "radiosity/scene/load_scene.h"
 #include "radiosity/scene/scene_edits.h"
 #include "radiosity/solver/dynamic_solution.h"
+#include "radiosity/textures/lit_scene.h"
 #include "raster/base/file_io.h"
 #include "raster/base/input_error.h"
 #include "reference/base/hashes/sha256.h"
