@@ -12,6 +12,7 @@
 #include "radiosity/discretization/neighbours.h"
 #include "radiosity/discretization/texel_areas.h"
 #include "radiosity/geometry/box_tree.h"
+#include "raster/base/cross.h"
 
 namespace hemitex::radiosity {
 namespace {
@@ -22,7 +23,7 @@ constexpr double minCosine = 0.7;
 /// Relative to the area of the triangle; smaller pieces are rounding noise: about 2^6 units of 2^-53.
 constexpr double smallestShare = 1e-14;
 
-double cross(const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y * b.x; }
+using raster::cross;
 
 PlaneBox boxAround(const glm::dvec2& a, const glm::dvec2& b, double margin) {
   return {glm::min(a, b) - margin, glm::max(a, b) + margin};

@@ -4,10 +4,12 @@
 #include <cmath>
 #include <optional>
 
+#include "raster/base/cross.h"
+
 namespace hemitex::radiosity {
 namespace {
 
-double cross(const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y * b.x; }
+using raster::cross;
 
 bool isInside(const ChartTriangle& triangle) {
   return std::all_of(triangle.begin(), triangle.end(),

@@ -5,13 +5,15 @@
 #include <cmath>
 #include <utility>
 
+#include "raster/base/cross.h"
+
 namespace hemitex::radiosity {
 namespace {
 
 constexpr int columnAxis = 0;
 constexpr int rowAxis = 1;
 
-double cross(const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y * b.x; }
+using raster::cross;
 
 void append(Piece& piece, const PieceCorner& corner) {
   assert(piece.size < piece.corners.size());

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <tuple>
 
+#include "raster/base/cross.h"
+
 namespace hemitex::radiosity {
 namespace {
 
@@ -56,7 +58,7 @@ bool areSmooth(const Facet& a, const Facet& b) {
 /// A triangle of a chart, in texels of the display texture. The place has its lower left corner at the origin.
 using FlatTriangle = std::array<glm::dvec2, 3>;
 
-double cross(const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y * b.x; }
+using raster::cross;
 
 double squaredDistance(const glm::dvec2& point, const glm::dvec2& a, const glm::dvec2& b) {
   const glm::dvec2 along = b - a, offset = point - a;
