@@ -4,8 +4,8 @@
 ///     method FOLDER    writes scene.obj, radiosity.csv and picture.ppm into the folder
 ///
 /// Read it from top to bottom; each section is a step of the method. Only one thing comes from elsewhere: a renderer,
-/// which draws triangles into item buffers (raster/plain/plain_renderer.cpp, 300 lines to read next). It stands for the
-/// graphics hardware of the paper. Everything else is here, with nothing for speed but that form factors are kept.
+/// which draws triangles into item buffers (raster/plain/rules.h, 330 lines to read next). It stands for the graphics
+/// hardware of the paper. Everything else is here, with nothing for speed but that form factors are kept.
 /// `hemitex solve` does the same for any scene, a thousand times faster: with the same patches its radiosity is equal.
 #include <algorithm>
 #include <array>
@@ -346,7 +346,7 @@ void writePicture(const World& world, const std::vector<dvec3>& radiosity, const
   const raster::ItemBuffer seen = raster::render(world.renderer, std::span(&camera, 1)).front();
   std::ofstream picture(file, std::ios::binary);
   picture << "P6\n" << size << ' ' << size << "\n255\n";
-  for (int row = size - 1; row >= 0; --row)  // row 0 of an item buffer is at the bottom
+  for (int row = size - 1; row >= 0; --row)  // row 0 is at y = -w, and this y points up
     for (int column = 0; column < size; ++column) {
       const ItemId id = seen.ids[static_cast<std::size_t>(row * size + column)];
       const dvec3 light = id < radiosity.size() ? 0.8 * radiosity[id] : dvec3(0);

@@ -1,12 +1,21 @@
-/// The rules of docs/item-buffers.md as a program to read: a renderer without tiles, clusters, vectors or threads. It
-/// draws each triangle of a face in turn, pixel by pixel, in the order of that page: view, clip, snap, cover, facing,
-/// depth, texel, blend. SoftwareRenderer (software_renderer.h) gives the same item IDs many times faster.
+/// A renderer without tiles, clusters, vectors or threads. It draws each triangle of a face in turn, pixel by pixel, by
+/// the functions of rules.h. SoftwareRenderer (software_renderer.h) gives the same item IDs many times faster.
 #pragma once
 
-#include "raster/interface/draw_list.h"
+#include <span>
+#include <vector>
+
 #include "raster/interface/item_buffer_renderer.h"
+#include "raster/plain/rules.h"
 
 namespace hemitex::raster {
+
+/// View, clip and snap: the triangles on the picture of a face, in draw order, without the `skipped` (ascending).
+std::vector<SnappedTriangle> snappedTriangles(const DrawList& list, const Face& face,
+                                              std::span<const std::uint32_t> skipped = {});
+
+/// Cover and depth: what each pixel of a scissor rectangle shows, row by row. It refers to the triangles.
+std::vector<CoveredSample> visibleSamples(std::span<const SnappedTriangle> triangles, const Scissor& scissor);
 
 class PlainRenderer final : public ItemBufferRenderer {
  public:

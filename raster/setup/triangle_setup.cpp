@@ -10,10 +10,6 @@ namespace {
 constexpr std::int64_t subPixels = 256;         // per pixel side
 constexpr std::int64_t sample = subPixels / 2;  // the sample of a pixel is its centre
 
-std::int64_t cross(const SnappedPoint& origin, const SnappedPoint& p, const SnappedPoint& q) {
-  return (p.x - origin.x) * (q.y - origin.y) - (p.y - origin.y) * (q.x - origin.x);
-}
-
 /// The edge from p to q. `orientation` is the sign of the triangle's area, so that the value is positive inside.
 inline Edge makeEdge(const SnappedPoint& p, const SnappedPoint& q, std::int64_t orientation) {
   const std::int64_t a = orientation * (p.y - q.y);
@@ -51,21 +47,14 @@ bool isOutsideView(const std::array<ViewVertex, 3>& p, double nearDistance) {
 /// Clips and appends triangle t, unless a value is not finite (raster rules, 2).
 void appendScreenTriangle(const DrawList& list, const Face& face, bool mirrored, std::uint32_t draw, std::uint32_t t,
                           std::vector<ScreenTriangle>& triangles) {
-  std::array<ViewVertex, 3> vertices;
-  for (std::uint32_t k = 0; k < 3; ++k) {
-    const std::uint32_t index = list.indices[3 * std::size_t{t} + k];
-    vertices[k] = transform(face, list.positions[index], list.texcoords[index]);
-  }
-  if (!isFinite(vertices[0]) || !isFinite(vertices[1]) || !isFinite(vertices[2])) return;
-  if (isOutsideView(vertices, face.nearDistance)) return;
+  const std::array<ViewVertex, 3> vertices = view(face, list, t);
+  if (!areFinite(vertices) || isOutsideView(vertices, face.nearDistance)) return;
   const ClippedPolygon polygon = clip(vertices, face.nearDistance);
-  for (std::size_t k = 2; k < static_cast<std::size_t>(polygon.count); ++k) {
+  for (std::size_t k = 2; k < polygon.count; ++k) {
     ScreenTriangle triangle;
     triangle.draw = draw;
     triangle.number = t;
-    if (makeScreenTriangle(face, {polygon.vertices[0], polygon.vertices[k - 1], polygon.vertices[k]}, mirrored,
-                           triangle))
-      triangles.push_back(triangle);
+    if (makeScreenTriangle(face, fanTriangle(polygon, k), mirrored, triangle)) triangles.push_back(triangle);
   }
 }
 
@@ -77,27 +66,17 @@ bool covers(const ScreenTriangle& triangle, int column, int row) {
   return true;
 }
 
-std::int64_t snap(double q, int resolution) {
-  // Doubles from 2^52 on are integers, so that adding and subtracting 1.5 * 2^52 rounds as nearbyint does, without a
-  // call.
-  constexpr double integers = 0x1.8p52;
-  // The clamp removes the rounding error of clipping to the guard band.
-  const double position = (std::clamp(q, -guardBand, guardBand) + 1) * (128.0 * resolution);
-  return static_cast<std::int64_t>((position + integers) - integers);
-}
-
 bool makeScreenTriangle(const Face& face, const std::array<ViewVertex, 3>& vertices, bool mirrored,
                         ScreenTriangle& triangle) {
-  std::array<SnappedPoint, 3> snapped;
-  for (std::size_t k = 0; k < 3; ++k)
-    snapped[k] = {snap(vertices[k].x / vertices[k].w, face.resolution),
-                  snap(vertices[k].y / vertices[k].w, face.resolution)};
-  return makeScreenTriangle(face.scissor, snapped, vertices, mirrored, triangle);
+  const auto& [a, b, c] = vertices;
+  return makeScreenTriangle(face.scissor,
+                            {snap(a, face.resolution), snap(b, face.resolution), snap(c, face.resolution)}, vertices,
+                            mirrored, triangle);
 }
 
 bool makeScreenTriangle(const Scissor& scissor, const std::array<SnappedPoint, 3>& s,
                         const std::array<ViewVertex, 3>& vertices, bool mirrored, ScreenTriangle& triangle) {
-  const std::int64_t area = cross(s[0], s[1], s[2]);
+  const std::int64_t area = edgeFunction(s[0], s[1], s[2]);
   if (area == 0) return false;
 
   const PixelRange columns = samplesBetween(s[0].x, s[1].x, s[2].x, scissor.column, scissor.column + scissor.width);

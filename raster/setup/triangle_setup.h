@@ -3,7 +3,6 @@
 /// them.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
@@ -11,7 +10,7 @@
 
 #include "raster/interface/draw_list.h"
 #include "raster/interface/face.h"
-#include "raster/setup/vertex_stage.h"
+#include "raster/plain/rules.h"
 
 namespace hemitex::raster {
 
@@ -25,20 +24,6 @@ struct Edge {
   /// The smallest value at covered samples, as values are integers.
   std::int64_t minCovered() const { return inclusive ? 0 : 1; }
 };
-
-/// The pixels [first, end).
-struct PixelRange {
-  int first, end;
-};
-
-/// The pixels of [first, end) whose samples lie between the smallest and the largest of three snapped positions, in
-/// 1/256 pixel. The sample of pixel i is at 256 i + 128.
-template <typename Integer>
-PixelRange samplesBetween(Integer a, Integer b, Integer c, int first, int end) {
-  const Integer low = std::min(std::min(a, b), c), high = std::max(std::max(a, b), c);
-  return {static_cast<int>(std::max<Integer>(first, (low + 127) >> 8)),
-          static_cast<int>(std::min<Integer>(end, (high + 128) >> 8))};
-}
 
 struct ScreenTriangle {
   std::array<Edge, 3> edges;
@@ -56,14 +41,6 @@ struct ScreenTriangle {
 
 /// Whether the triangle covers the sample of a pixel.
 bool covers(const ScreenTriangle& triangle, int column, int row);
-
-/// The sub-pixel position of q = x/w or y/w in 1/256 pixel (docs/item-buffers.md, "snap").
-std::int64_t snap(double q, int resolution);
-
-/// A position in 1/256 pixel.
-struct SnappedPoint {
-  std::int64_t x, y;
-};
 
 /// Snaps three clipped vertices and sets all members of `triangle` except `draw` and `number`. Returns false if the
 /// triangle covers no sample of the scissor rectangle. `mirrored` means that determinant(face) is negative.

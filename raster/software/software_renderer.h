@@ -2,7 +2,7 @@
 ///
 /// Each face is divided into tiles (tile.h), which are drawn independently: first depth, then one item ID per visible
 /// pixel. Both are computed in floating point where its error bound allows (kernels.h), else in exact arithmetic
-/// (exact_interpolation.h). PlainRenderer (plain_renderer.h) is the same in 300 lines, for readers.
+/// (exact_interpolation.h). rules.h has the same rules, for readers.
 #pragma once
 
 #include <memory>

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <glm/gtc/packing.hpp>
 
+#include "tests/support/staged_drawing.h"
+
 namespace hemitex::tests {
 
 Buffers drawAll(const SimulatedDevice& device, const reference::TestVector& vector) {
@@ -289,8 +291,8 @@ std::vector<Injection> geometryInjections() {
 /// Coverage and depth at four samples, the colour once at the centre; bytes averaged.
 Buffers multisampled(const TestVector& vector, SimulatedDevice device) {
   std::vector<Buffers> samples;
-  for (const glm::dvec2& sixteenths : {glm::dvec2(6, 2), {14, 6}, {2, 10}, {10, 14}}) {
-    device.sample = 16.0 * sixteenths;
+  for (const raster::SnappedPoint& sample : {raster::SnappedPoint{96, 32}, {224, 96}, {32, 160}, {160, 224}}) {
+    device.sample = sample;
     samples.push_back(drawAll(device, vector));
   }
   Buffers resolved = samples[0];
@@ -320,11 +322,9 @@ Buffers turnedInMirror(const TestVector& vector, const SimulatedDevice& device) 
 
 /// All faces are drawn into one target whose depths are cleared once.
 Buffers withDepthsKept(const TestVector& vector, const SimulatedDevice& device) {
-  Buffers buffers;
-  TargetDepths depths;
-  for (const reference::VectorFace& face : vector.faces)
-    buffers.push_back(drawOn(device, vector.list, face.face, depths));
-  return buffers;
+  reference::StagedDevice stages = stagedDeviceOf(device);
+  stages.keepsDepth = true;
+  return drawAll(stages, vector);
 }
 
 std::vector<Injection> sampleInjections() {

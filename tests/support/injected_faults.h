@@ -1,5 +1,5 @@
-/// Faults injected into the simulated device, whose other errors stay within its profile. They share no code with the
-/// faults that a diagnosis draws.
+/// Faults injected into the simulated device, whose other errors stay within its profile. They are written apart from
+/// the faults that a diagnosis draws.
 #pragma once
 
 #include <functional>

@@ -1,14 +1,10 @@
-/// A simulated device with permitted errors: it draws by the rules of docs/item-buffers.md with random errors within
-/// its profile. It is a simple loop over pixels, and shares only the vertex stage and the clipping with the renderer.
+/// A simulated device with permitted errors: a staged device (staged_device.h) with random errors within a profile in
+/// its stages.
 #pragma once
 
 #include <functional>
-#include <map>
-#include <utility>
 
-#include "raster/interface/draw_list.h"
-#include "raster/interface/face.h"
-#include "raster/setup/vertex_stage.h"
+#include "reference/conformance/diagnosis/staged_device.h"
 #include "reference/conformance/verdict/device_profile.h"
 
 namespace hemitex::tests {
@@ -31,8 +27,8 @@ struct SimulatedDevice {
   double texelShift = 0;                              ///< of all texture coordinates, in texels
   std::function<void(raster::ViewVertex&)> vertex{};  ///< changes the result of the vertex stage
   bool bottomRight = false;                           ///< gives samples on edges to the wrong triangle
-  glm::dvec2 sample{128, 128};                        ///< of coverage and depth, in sub-pixels
-  glm::dvec2 shading{128, 128};                       ///< of texture coordinates
+  raster::SnappedPoint sample{128, 128};              ///< of coverage and depth, in sub-pixels
+  raster::SnappedPoint shading{128, 128};             ///< of texture coordinates
   bool affine = false;                                ///< interpolates them without perspective
   std::function<bool(double, double)> passes{};       ///< of a depth and the stored one
   std::function<raster::ItemId(const raster::IndexMap&, const glm::dvec2&)> fetch{};  ///< at (u N, v M)
@@ -41,13 +37,9 @@ struct SimulatedDevice {
       store{};  ///< of the target's item ID and the fragment's
 };
 
-/// The depths that a target holds, by column and row; a pixel without one was cleared.
-using TargetDepths = std::map<std::pair<int, int>, double>;
+/// The device's stages. It goes on with its random errors from call to call.
+reference::StagedDevice stagedDeviceOf(const SimulatedDevice& device);
 
 raster::ItemBuffer drawOn(const SimulatedDevice& device, const raster::DrawList& list, const raster::Face& face);
-
-/// The same with a target that holds depths before and after.
-raster::ItemBuffer drawOn(const SimulatedDevice& device, const raster::DrawList& list, const raster::Face& face,
-                          TargetDepths& depths);
 
 }  // namespace hemitex::tests

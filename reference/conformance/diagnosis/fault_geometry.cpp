@@ -8,6 +8,24 @@ namespace hemitex::reference {
 namespace {
 
 using raster::Face;
+using raster::ViewVertex;
+
+/// Clips a polygon at |x| = size w and |y| = size w.
+raster::ClippedPolygon clippedAtSides(double size, raster::ClippedPolygon polygon) {
+  // At the guard band, once its vertices are as much farther out.
+  const double scale = raster::guardBand / size;
+  const auto stretch = [&](double factor) {
+    for (std::size_t k = 0; k < polygon.count; ++k) {
+      polygon.vertices[k].x *= factor;
+      polygon.vertices[k].y *= factor;
+    }
+  };
+  stretch(scale);
+  for (const raster::ClipPlane plane : raster::clipPlanes)
+    if (plane != raster::ClipPlane::Near) polygon = raster::clip(polygon, plane, 0);
+  stretch(1 / scale);
+  return polygon;
+}
 
 /// A device with one changed stage of its geometry.
 template <typename Stage, typename Change>
@@ -16,8 +34,6 @@ StagedDevice withGeometry(Stage StagedGeometry::*stage, const Change& change) {
   geometry.*stage = change;
   return withStage(&StagedDevice::geometry, geometry);
 }
-
-ClipPolygon clipAtNear(const ClipPolygon& polygon) { return clipAt({0, 0, 1, 0}, polygon); }
 
 // --- indices ---
 
@@ -41,18 +57,50 @@ StagedDevice withRowsAsColumns() {
   });
 }
 
+/// A vertex in clip coordinates x, y, z, w.
+struct ClipVertex {
+  glm::dvec4 position;
+  glm::dvec2 texcoord;
+};
+
+/// The part of a polygon where dot(plane, position) >= 0.
+std::vector<ClipVertex> clipAt(const glm::dvec4& plane, const std::vector<ClipVertex>& polygon) {
+  std::vector<ClipVertex> clipped;
+  for (std::size_t k = 0; k < polygon.size(); ++k) {
+    const ClipVertex &start = polygon[k], &end = polygon[(k + 1) % polygon.size()];
+    const double atStart = glm::dot(plane, start.position), atEnd = glm::dot(plane, end.position);
+    if (atStart >= 0) clipped.push_back(start);
+    if ((atStart >= 0) == (atEnd >= 0)) continue;
+    // From the inside end, so that two triangles that share the edge get the same point.
+    const ClipVertex &inside = atStart >= 0 ? start : end, &outside = atStart >= 0 ? end : start;
+    const double t = std::max(atStart, atEnd) / std::abs(atStart - atEnd);
+    clipped.push_back({inside.position + t * (outside.position - inside.position),
+                       inside.texcoord + t * (outside.texcoord - inside.texcoord)});
+  }
+  return clipped;
+}
+
 /// A 4x4 matrix from positions to clip coordinates; each row ends with its translation. The device clips z to [0, w].
 Variant withTransposedMatrix(const std::string& name, glm::dvec4 (*depthRow)(const Face&)) {
-  StagedGeometry geometry;
-  geometry.transform = [=](const Face& face, const glm::vec3& position) {
+  const auto polygon = [=](const Face& face, const raster::DrawList& list, std::uint32_t t) {
     const auto row = [&](const glm::vec3& axis) { return glm::dvec4(axis, -glm::dot(axis, face.eye)); };
-    const glm::dvec4 p(position, 1);
-    return p.x * row(face.x) + p.y * row(face.y) + p.z * depthRow(face) + p.w * row(face.w);
+    std::vector<ClipVertex> corners;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t index = list.indices[3 * std::size_t{t} + k];
+      const glm::dvec3 p = list.positions[index];
+      const glm::dvec4 at = p.x * row(face.x) + p.y * row(face.y) + p.z * depthRow(face) + row(face.w);
+      corners.push_back({at, list.texcoords[index]});
+      if (!raster::isFinite({at.x, at.y, at.z + at.w, corners[k].texcoord.x, corners[k].texcoord.y}))
+        return raster::ClippedPolygon{};
+    }
+    raster::ClippedPolygon clipped;
+    for (const ClipVertex& vertex : clipAt({0, 0, -1, 1}, clipAt({0, 0, 1, 0}, corners))) {
+      const glm::dvec4& p = vertex.position;
+      clipped.add({p.x, p.y, p.w, vertex.texcoord.x, vertex.texcoord.y});
+    }
+    return clippedAtSides(raster::guardBand, clipped);
   };
-  geometry.clip = [](const ClipPolygon& polygon) {
-    return clipAtSides(raster::guardBand, clipAt({0, 0, -1, 1}, clipAtNear(polygon)));
-  };
-  return {name, withStage(&StagedDevice::geometry, geometry)};
+  return {name, withGeometry(&StagedGeometry::polygon, polygon)};
 }
 
 std::vector<Variant> transposedMatrices() {
@@ -66,27 +114,36 @@ std::vector<Variant> transposedMatrices() {
 
 // --- clipping ---
 
+using Clip = std::function<raster::ClippedPolygon(const std::array<ViewVertex, 3>&, double)>;
+
+/// Clips the triangles of the rules in its own way.
+Variant withClip(const std::string& name, const Clip& clip) {
+  const auto polygon = [=](const Face& face, const raster::DrawList& list, std::uint32_t t) {
+    const std::array<ViewVertex, 3> vertices = raster::view(face, list, t);
+    return raster::areFinite(vertices) ? clip(vertices, face.nearDistance) : raster::ClippedPolygon{};
+  };
+  return {name, withGeometry(&StagedGeometry::polygon, polygon)};
+}
+
 Variant withSidesAt(const std::string& name, double size) {
-  const auto clip = [=](const ClipPolygon& polygon) { return clipAtSides(size, clipAtNear(polygon)); };
-  return {name, withGeometry(&StagedGeometry::clip, clip)};
+  return withClip(name, [=](std::array<ViewVertex, 3> triangle, double nearDistance) {
+    return clippedAtSides(size, raster::clip(triangle, nearDistance));
+  });
 }
 
 Variant withNearPlaneAt(const std::string& name, double distances) {
-  const auto transform = [=](const Face& face, const glm::vec3& position) {
-    glm::dvec4 p = transformByRules(face, position);
-    p.z = p.w - distances * static_cast<double>(face.nearDistance);
-    return p;
-  };
-  return {name, withGeometry(&StagedGeometry::transform, transform)};
+  return withClip(name, [=](const std::array<ViewVertex, 3>& triangle, double nearDistance) {
+    return raster::clip(triangle, distances * nearDistance);
+  });
 }
 
 /// Triangles that cross the near plane are left out.
 Variant withoutCutTriangles() {
-  const auto clip = [](const ClipPolygon& polygon) {
-    const auto isBehind = [](const ClipVertex& vertex) { return vertex.position.z < 0; };
-    return std::any_of(polygon.begin(), polygon.end(), isBehind) ? ClipPolygon{} : clipByRules(polygon);
-  };
-  return {"triangles that cross the near plane left out", withGeometry(&StagedGeometry::clip, clip)};
+  return withClip("triangles that cross the near plane left out",
+                  [](const std::array<ViewVertex, 3>& triangle, double nearDistance) {
+                    const bool isCut = raster::cuts(raster::ClipPlane::Near, triangle, nearDistance);
+                    return isCut ? raster::ClippedPolygon{} : raster::clip(triangle, nearDistance);
+                  });
 }
 
 // --- snapping ---

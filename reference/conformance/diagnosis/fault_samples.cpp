@@ -14,24 +14,24 @@ StagedDevice withFacing(const std::function<Facing(Facing)>& facing) {
 
 // --- coverage ---
 
-Variant withRule(const std::string& name, const std::function<bool(const glm::dvec2&)>& ownsEdge) {
-  return {name, withStage(&StagedDevice::ownsEdge, ownsEdge)};
+Variant withRule(const std::string& name, const std::function<bool(const raster::SnappedPoint&)>& ownsSamples) {
+  return {name, withStage(&StagedDevice::ownsSamples, ownsSamples)};
 }
 
 std::vector<Variant> fillRules() {
-  const auto owns = [](double left, double top) {
-    return [=](const glm::dvec2& d) { return d.y != 0 ? left * d.y < 0 : top * d.x > 0; };
+  const auto owns = [](int left, int top) {
+    return [=](const raster::SnappedPoint& d) { return d.y != 0 ? left * d.y < 0 : top * d.x > 0; };
   };
   return {withRule("bottom-left", owns(1, -1)), withRule("bottom-right", owns(-1, -1)),
-          withRule("top-right", owns(-1, 1)), withRule("every edge", [](const glm::dvec2&) { return true; })};
+          withRule("top-right", owns(-1, 1)), withRule("every edge", [](const raster::SnappedPoint&) { return true; })};
 }
 
 std::vector<Variant> cornerSamples() {
   std::vector<Variant> variants;
   for (const char* name : {"left top", "right top", "left bottom", "right bottom"}) {
-    const std::size_t k = variants.size();
+    const auto k = static_cast<std::int64_t>(variants.size());
     StagedDevice device;
-    device.shadingSample = 256.0 * glm::dvec2(k % 2, k / 2);
+    device.shadingSample = {256 * (k % 2), 256 * (k / 2)};
     device.samples = {device.shadingSample};
     variants.push_back({name, device});
   }
@@ -39,7 +39,7 @@ std::vector<Variant> cornerSamples() {
 }
 
 /// The standard sample locations of Vulkan and Direct3D, in sixteenths of a pixel.
-std::vector<glm::dvec2> standardSamples(int count) {
+std::vector<raster::SnappedPoint> standardSamples(int count) {
   switch (count) {
     case 2:
       return {{12, 12}, {4, 4}};
@@ -57,7 +57,7 @@ std::vector<Variant> multisamplings(const TestVector& vector) {
   for (const int count : {2, 4, 8}) {
     StagedDevice device;
     device.samples = standardSamples(count);
-    for (glm::dvec2& sample : device.samples) sample *= 16.0;
+    for (raster::SnappedPoint& sample : device.samples) sample = {16 * sample.x, 16 * sample.y};
     const std::string name = std::to_string(count) + " samples, ";
     variants.push_back({name + "the first", device});
     const std::vector<Channel> channels = colourChannelsOf(vector.list.format);

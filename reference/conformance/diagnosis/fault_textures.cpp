@@ -23,6 +23,11 @@ StagedDevice withFetch(const MapFetch& fetch) {
 
 // --- coordinates ---
 
+glm::dvec2 withoutPerspective(const raster::SnappedTriangle& triangle, const raster::SnappedPoint& position) {
+  const glm::dvec3 sum = weightedSum(triangle, weightsAt(triangle, position), [](double) { return 1.0; });
+  return glm::dvec2(sum) / sum.z;
+}
+
 ItemId repeatedTexel(const IndexMap& map, const Lookup& lookup) {
   return nearestTexel(map, lookup.at - glm::floor(lookup.at));
 }
@@ -122,8 +127,15 @@ Levels levelsOf(const std::vector<Channel>& channels, const IndexMap& map) {
 
 /// log2 of the number of texels per pixel, along the longer side of its footprint.
 double levelOfDetail(const IndexMap& map, const Lookup& lookup) {
-  const double columns = glm::length(lookup.perColumn * sizeOf(map)), rows = glm::length(lookup.perRow * sizeOf(map));
-  return std::log2(std::max(columns, rows));
+  const raster::Weights edges = weightsAt(lookup.triangle, lookup.position);
+  const double total = weightedSum(lookup.triangle, edges).z;
+  const auto texelsPer = [&](const raster::SnappedPoint& pixel) {
+    raster::Weights steps = weightsAt(lookup.triangle, {lookup.position.x + pixel.x, lookup.position.y + pixel.y});
+    for (std::size_t k = 0; k < 3; ++k) steps[k] -= edges[k];
+    const glm::dvec3 change = weightedSum(lookup.triangle, steps);
+    return glm::length((glm::dvec2(change) - lookup.at * change.z) / total * sizeOf(map));
+  };
+  return std::log2(std::max(texelsPer({256, 0}), texelsPer({0, 256})));
 }
 
 /// The lookup with mipmaps; magnified maps follow the rules.
@@ -214,7 +226,7 @@ std::vector<Fault> textureFaults(const TestVector& vector) {
   return {
       {"affine instead of perspective interpolation",
        "look for noperspective, or for a division by w before the device's own",
-       {{"", withStage(&StagedDevice::weight, [](double) { return 1.0; })}}},
+       {{"", withStage(&StagedDevice::interpolate, withoutPerspective)}}},
       {"linear filtering", "set the minifying and the magnifying filter to nearest", linearFilters(list.format)},
       {"mipmapping", "set a minifying filter without mipmaps, and make no mipmaps", mipmappings(list)},
       {"repeat instead of clamp",

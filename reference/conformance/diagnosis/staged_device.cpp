@@ -4,110 +4,47 @@
 #include <cmath>
 #include <map>
 
+#include "raster/plain/plain_renderer.h"
 #include "reference/conformance/trace/fragments.h"
 
 namespace hemitex::reference {
 namespace {
 
 using raster::ItemId;
+using raster::SnappedTriangle;
 
-constexpr double subPixels = 256;  // per pixel
-
-/// The clipped polygon of triangle t; empty if a value is not finite.
-ClipPolygon polygonOf(const StagedGeometry& geometry, const raster::DrawList& list, const raster::Face& face,
-                      std::uint32_t t) {
-  ClipPolygon corners;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const std::uint32_t index = list.indices[3 * std::size_t{t} + k];
-    const ClipVertex& corner =
-        corners.emplace_back(ClipVertex{geometry.transform(face, list.positions[index]), list.texcoords[index]});
-    if (!std::isfinite(corner.position.x + corner.position.y + corner.position.z + corner.position.w) ||
-        !std::isfinite(corner.texcoord.x + corner.texcoord.y))
-      return {};
-  }
-  return geometry.clip(corners);
-}
-
-DeviceVertex place(const StagedGeometry& geometry, const ClipVertex& vertex, int resolution) {
-  const glm::dvec4& p = vertex.position;
-  DeviceVertex placed{{p.x, p.y, p.w, vertex.texcoord.x, vertex.texcoord.y}, {}, {}};
-  for (int axis = 0; axis < 2; ++axis) {
-    const double q = std::clamp(p[axis] / p.w, -raster::guardBand, raster::guardBand);
-    placed.position[axis] = geometry.snap((q + 1) * 128 * resolution);
-  }
-  return placed;
-}
-
-/// The triangles of a list in draw order, without reach.
-std::vector<DeviceTriangle> placeBy(const StagedGeometry& geometry, const raster::DrawList& list,
-                                    const raster::Face& face) {
-  const bool isMirrored = raster::determinant(face) < 0;
-  std::vector<DeviceTriangle> triangles;
+/// The triangles of a list in draw order.
+std::vector<SnappedTriangle> placeBy(const StagedGeometry& geometry, const raster::DrawList& list,
+                                     const raster::Face& face) {
+  const auto snap = [&](const raster::ViewVertex& p) {
+    const auto place = [&](double q) {
+      return static_cast<std::int64_t>(geometry.snap(raster::subPixels(q, face.resolution)) *
+                                       static_cast<double>(geometry.fineness));
+    };
+    return raster::SnappedPoint{place(p.x / p.w), place(p.y / p.w)};
+  };
+  const auto isAhead = [](const raster::ViewVertex& p) { return p.w > 0; };
+  std::vector<SnappedTriangle> triangles;
   for (const DrawnTriangle& drawn : drawnTriangles(list)) {
-    const ClipPolygon polygon = polygonOf(geometry, list, face, drawn.triangle);
-    for (std::size_t k = 2; k < polygon.size(); ++k) {
-      DeviceTriangle triangle{};
-      triangle.triangle = drawn.triangle;
+    const raster::ClippedPolygon polygon = geometry.polygon(face, list, drawn.triangle);
+    for (std::size_t k = 2; k < polygon.count; ++k) {
+      const std::array<raster::ViewVertex, 3> fan = raster::fanTriangle(polygon, k);
+      if (!std::all_of(fan.begin(), fan.end(), isAhead)) continue;
+      SnappedTriangle triangle = raster::snappedTriangle(face, fan, {snap(fan[0]), snap(fan[1]), snap(fan[2])});
       triangle.draw = drawn.draw;
-      const std::array<std::size_t, 3> fan{0, k - 1, k};
-      for (std::size_t j = 0; j < 3; ++j) triangle.vertices[j] = place(geometry, polygon[fan[j]], face.resolution);
-      triangle.area = doubledArea(triangle.vertices);
-      triangle.facesAway = (triangle.area < 0) == isMirrored;
-      const auto isAhead = [](const DeviceVertex& vertex) { return vertex.view.w > 0; };
-      // Without area, or where a position is not a number, there is nothing to draw.
-      if (std::abs(triangle.area) > 0 && std::all_of(triangle.vertices.begin(), triangle.vertices.end(), isAhead))
-        triangles.push_back(triangle);
+      triangle.number = drawn.triangle;
+      if (triangle.area != 0) triangles.push_back(triangle);
     }
   }
   return triangles;
 }
 
-/// The functions of a triangle at a position. Edge k is opposite vertex k, positive inside and exact. Attributes are
-/// quotients of sums of edges times vertex values.
-struct Setup {
-  std::array<glm::dvec2, 3> starts, directions;  ///< of the edges
-  std::array<bool, 3> ownsEdge;
-  glm::dvec3 inverseW;  ///< at the vertices, over the doubled area
-  glm::dvec3 weights, u, v;
-
-  bool covers(const glm::dvec3& values) const {
-    for (int k = 0; k < 3; ++k)
-      if (values[k] < 0 || (values[k] == 0 && !ownsEdge[static_cast<std::size_t>(k)])) return false;
-    return true;
-  }
-  glm::dvec3 edgesAt(const glm::dvec2& position) const {
-    const auto edge = [&](std::size_t k) { return cross(directions[k], position - starts[k]); };
-    return {edge(0), edge(1), edge(2)};
-  }
-};
-
-/// Pixels [first, end) of the scissor rectangle that may hold covered samples.
-struct PixelBox {
-  glm::ivec2 first, end;
-};
-
-PixelBox boxOf(const DeviceTriangle& triangle, const raster::Scissor& scissor) {
-  const auto [low, high] = extentOf(triangle);
-  return {glm::max(glm::ivec2(glm::floor(low / subPixels)) - 1, glm::ivec2(scissor.column, scissor.row)),
-          glm::min(glm::ivec2(glm::floor(high / subPixels)) + 1,
-                   glm::ivec2(scissor.column + scissor.width, scissor.row + scissor.height))};
-}
-
-Setup setUp(const StagedDevice& device, const DeviceTriangle& triangle) {
-  Setup setup{};
-  for (std::size_t k = 0; k < 3; ++k) {
-    const auto i = static_cast<int>(k);
-    const raster::ViewVertex& view = triangle.vertices[k].view;
-    const glm::dvec2 &p = triangle.vertices[(k + 1) % 3].position, &q = triangle.vertices[(k + 2) % 3].position;
-    setup.starts[k] = p;
-    setup.directions[k] = (triangle.area > 0 ? 1.0 : -1.0) * (q - p);
-    setup.ownsEdge[k] = device.ownsEdge(setup.directions[k]);
-    setup.inverseW[i] = 1 / view.w / std::abs(triangle.area);
-    setup.weights[i] = device.weight(view.w);
-    setup.u[i] = setup.weights[i] * view.u;
-    setup.v[i] = setup.weights[i] * view.v;
-  }
-  return setup;
+/// The pixels of [first, first + size) from that of the smallest to that of the largest position.
+raster::PixelRange pixelsBetween(std::int64_t a, std::int64_t b, std::int64_t c, std::int64_t pixel, int first,
+                                 int size) {
+  const auto [low, high] = std::minmax({a, b, c});
+  return {static_cast<int>(std::max<std::int64_t>(low / pixel - 1, first)),
+          static_cast<int>(std::min<std::int64_t>(high / pixel + 1, first + size))};
 }
 
 /// Clamps coordinates to finite values: extrapolation to a sample outside of the triangle may give any quotient or NaN.
@@ -117,24 +54,13 @@ glm::dvec2 held(const glm::dvec2& coordinates) {
   return {hold(coordinates.x), hold(coordinates.y)};
 }
 
-Lookup lookUp(const Setup& setup, const glm::dvec2& position) {
-  const glm::dvec3 edges = setup.edgesAt(position);
-  const double total = glm::dot(edges, setup.weights);
-  const glm::dvec2 at = glm::dvec2(glm::dot(edges, setup.u), glm::dot(edges, setup.v)) / total;
-  const auto change = [&](const glm::dvec2& pixel) {
-    const glm::dvec3 steps = setup.edgesAt(position + pixel) - edges;
-    return (glm::dvec2(glm::dot(steps, setup.u), glm::dot(steps, setup.v)) - at * glm::dot(steps, setup.weights)) /
-           total;
-  };
-  return {held(at), held(change({subPixels, 0})), held(change({0, subPixels}))};
-}
-
-ItemId shade(const StagedDevice& device, const raster::DrawList& list, const raster::Draw& draw, Facing facing,
-             const Setup& setup, const glm::dvec2& position) {
+ItemId shade(const StagedDevice& device, const raster::DrawList& list, const SnappedTriangle& triangle, Facing facing,
+             const raster::SnappedPoint& position) {
+  const raster::Draw& draw = list.draws[triangle.draw];
   if (facing == Facing::Back && draw.back) return *draw.back;
   if (!draw.indexMap) return draw.offset;
-  const ItemId texel = device.fetch(list, static_cast<std::size_t>(*draw.indexMap), lookUp(setup, position));
-  return device.blend(list, draw.offset, texel);
+  const Lookup lookup{triangle, position, held(device.interpolate(triangle, position))};
+  return device.blend(list, draw.offset, device.fetch(list, static_cast<std::size_t>(*draw.indexMap), lookup));
 }
 
 /// A sample of the target.
@@ -145,33 +71,36 @@ struct Sample {
 
 /// Draws a triangle into the samples of the view's scissor rectangle.
 void drawTriangle(const StagedDevice& device, const raster::DrawList& list, const raster::Face& view,
-                  const DeviceTriangle& triangle, std::vector<Sample>& target) {
-  const PixelBox box = boxOf(triangle, view.scissor);
-  if (box.first.x >= box.end.x || box.first.y >= box.end.y) return;
+                  const SnappedTriangle& triangle, std::vector<Sample>& target) {
+  const raster::Scissor& scissor = view.scissor;
+  const std::int64_t unit = device.geometry ? device.geometry->fineness : 1, pixelSize = 256 * unit;
+  const auto& [a, b, c] = triangle.corners;
+  const raster::PixelRange columns = pixelsBetween(a.x, b.x, c.x, pixelSize, scissor.column, scissor.width);
+  const raster::PixelRange rows = pixelsBetween(a.y, b.y, c.y, pixelSize, scissor.row, scissor.height);
+  if (columns.first >= columns.end || rows.first >= rows.end) return;
   const Facing facing = device.facing(triangle.facesAway ? Facing::Back : Facing::Front, view);
   if (facing == Facing::Culled) return;
-  const Setup setup = setUp(device, triangle);
-  for (int row = box.first.y; row < box.end.y; ++row)
-    for (int column = box.first.x; column < box.end.x; ++column) {
-      const glm::dvec2 corner(subPixels * column, subPixels * row);
-      const int pixel = (row - view.scissor.row) * view.scissor.width + column - view.scissor.column;
+  for (int row = rows.first; row < rows.end; ++row)
+    for (int column = columns.first; column < columns.end; ++column) {
+      const auto inPixel = [&](const raster::SnappedPoint& p) {
+        return raster::SnappedPoint{pixelSize * column + unit * p.x, pixelSize * row + unit * p.y};
+      };
+      const int pixel = (row - scissor.row) * scissor.width + column - scissor.column;
       for (std::size_t s = 0; s < device.samples.size(); ++s) {
-        const glm::dvec3 edges = setup.edgesAt(corner + device.samples[s]);
-        if (!setup.covers(edges)) continue;
+        const raster::Weights weights = weightsAt(triangle, inPixel(device.samples[s]));
+        if (!covers(triangle, weights, device.ownsSamples)) continue;
         Sample& sample = target[static_cast<std::size_t>(pixel) * device.samples.size() + s];
-        const double depth = device.depth(glm::dot(edges, setup.inverseW), static_cast<double>(view.nearDistance));
+        const double depth =
+            device.depth(coveredSample(triangle, weights).inverseDepth, static_cast<double>(view.nearDistance));
         if (sample.depth && !device.passes(depth, *sample.depth)) continue;
-        const ItemId fragment =
-            shade(device, list, list.draws[triangle.draw], facing, setup, corner + device.shadingSample);
-        sample = {depth, device.store(sample.id, fragment)};
+        sample = {depth, device.store(sample.id, shade(device, list, triangle, facing, inPixel(device.shadingSample)))};
       }
     }
 }
 
-std::vector<DeviceTriangle> placeFace(const StagedDevice& device, const raster::DrawList& list,
-                                      const raster::Face& view) {
-  if (device.geometry) return placeBy(*device.geometry, list, view);
-  return placeTriangles(list, view, {}, false, [](const DeviceTriangle& triangle) { return triangle.area != 0; });
+std::vector<SnappedTriangle> placeFace(const StagedDevice& device, const raster::DrawList& list,
+                                       const raster::Face& view) {
+  return device.geometry ? placeBy(*device.geometry, list, view) : raster::snappedTriangles(list, view);
 }
 
 bool isSameView(const raster::Face& a, const raster::Face& b) {
@@ -201,7 +130,7 @@ using KeptDepths = std::map<std::array<int, 3>, double>;
 
 /// Draws the pixels of the view's scissor rectangle. `kept` is the memory of a device that keeps depths.
 raster::ItemBuffer drawFace(const StagedDevice& device, const raster::DrawList& list, const raster::Face& view,
-                            const std::vector<DeviceTriangle>& triangles, KeptDepths& kept) {
+                            const std::vector<SnappedTriangle>& triangles, KeptDepths& kept) {
   raster::ItemBuffer buffer;
   buffer.resize(view.scissor);
   const std::size_t perPixel = device.samples.size();
@@ -212,7 +141,7 @@ raster::ItemBuffer drawFace(const StagedDevice& device, const raster::DrawList& 
   };
   for (std::size_t s = 0; s < target.size() && !kept.empty(); ++s)
     if (const auto place = kept.find(placeOf(s)); place != kept.end()) target[s].depth = place->second;
-  for (const DeviceTriangle& triangle : triangles) drawTriangle(device, list, view, triangle, target);
+  for (const SnappedTriangle& triangle : triangles) drawTriangle(device, list, view, triangle, target);
   for (std::size_t s = 0; s < target.size() && device.keepsDepth; ++s)
     if (target[s].depth) kept[placeOf(s)] = *target[s].depth;
   std::vector<ItemId> ids(perPixel);
@@ -225,46 +154,23 @@ raster::ItemBuffer drawFace(const StagedDevice& device, const raster::DrawList& 
 
 }  // namespace
 
-glm::dvec4 transformByRules(const raster::Face& face, const glm::vec3& position) {
-  const raster::ViewVertex vertex = raster::transform(face, position, {0, 0});
-  return {vertex.x, vertex.y, vertex.w - static_cast<double>(face.nearDistance), vertex.w};
+raster::ClippedPolygon polygonByRules(const raster::Face& face, const raster::DrawList& list, std::uint32_t t) {
+  const std::array<raster::ViewVertex, 3> vertices = raster::view(face, list, t);
+  return raster::areFinite(vertices) ? raster::clip(vertices, face.nearDistance) : raster::ClippedPolygon{};
 }
 
-ClipPolygon clipByRules(const ClipPolygon& polygon) {
-  return clipAtSides(raster::guardBand, clipAt({0, 0, 1, 0}, polygon));
-}
-
-ClipPolygon clipAt(const glm::dvec4& plane, const ClipPolygon& polygon) {
-  ClipPolygon clipped;
-  for (std::size_t k = 0; k < polygon.size(); ++k) {
-    const ClipVertex &start = polygon[k], &end = polygon[(k + 1) % polygon.size()];
-    const double atStart = glm::dot(plane, start.position), atEnd = glm::dot(plane, end.position);
-    if (atStart >= 0) clipped.push_back(start);
-    if ((atStart >= 0) == (atEnd >= 0)) continue;
-    // From the inside end, so that two triangles that share the edge get the same point.
-    const bool isStartInside = atStart >= 0;
-    const ClipVertex &inside = isStartInside ? start : end, &outside = isStartInside ? end : start;
-    const double atInside = isStartInside ? atStart : atEnd, atOutside = isStartInside ? atEnd : atStart;
-    const double t = atInside / (atInside - atOutside);
-    clipped.push_back({inside.position + t * (outside.position - inside.position),
-                       inside.texcoord + t * (outside.texcoord - inside.texcoord)});
+glm::dvec3 weightedSum(const SnappedTriangle& triangle, const raster::Weights& edges, double (*weight)(double)) {
+  glm::dvec3 sum(0.0);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const raster::ViewVertex& vertex = triangle.vertices[k];
+    sum += static_cast<double>(edges[k]) * (weight(vertex.w) * glm::dvec3(vertex.u, vertex.v, 1));
   }
-  return clipped;
-}
-
-ClipPolygon clipAtSides(double size, ClipPolygon polygon) {
-  for (const int axis : {0, 1})
-    for (const double sign : {-1.0, 1.0}) {
-      glm::dvec4 plane(0, 0, 0, size);
-      plane[axis] = sign;
-      polygon = clipAt(plane, polygon);
-    }
-  return polygon;
+  return sum;
 }
 
 ItemId texelAt(const raster::IndexMap& map, const glm::dvec2& position) {
-  return map
-      .ids[texelAt(position.y, map.height) * static_cast<std::size_t>(map.width) + texelAt(position.x, map.width)];
+  const glm::dvec2 texel = glm::clamp(glm::floor(position), glm::dvec2(0.0), sizeOf(map) - 1.0);
+  return map.ids[static_cast<std::size_t>(texel.y * map.width + texel.x)];
 }
 
 ItemId nearestTexel(const raster::IndexMap& map, const glm::dvec2& at) { return texelAt(map, at * sizeOf(map)); }
@@ -298,8 +204,9 @@ void drawOn(const StagedDevice& device, const PlacedVector& placed,
   for (std::size_t f = 0; f < placed.faces.size(); ++f) {
     raster::Face view = viewOf(device, placed.faces, f);
     const bool isPlaced = isSameMesh && isSameView(view, placed.faces[f]);
-    const std::vector<DeviceTriangle> moved = isPlaced ? std::vector<DeviceTriangle>{} : placeFace(device, list, view);
-    const std::vector<DeviceTriangle>& triangles = isPlaced ? placed.triangles[f] : moved;
+    const std::vector<SnappedTriangle> moved =
+        isPlaced ? std::vector<SnappedTriangle>{} : placeFace(device, list, view);
+    const std::vector<SnappedTriangle>& triangles = isPlaced ? placed.triangles[f] : moved;
     if (device.readBack) {
       raster::ItemBuffer buffer =
           device.isDrawnByRules ? placed.buffers[f] : drawFace(device, list, view, triangles, kept);

@@ -1,8 +1,8 @@
-/// A simulated device in stages. It draws a test vector by the raster rules in double precision. Each stage is a
-/// function that a known fault (fault.h) may replace.
+/// A simulated device in stages. It draws a test vector by the raster rules (raster/plain/rules.h), in double precision
+/// from depths on. Each stage is a function that a known fault (fault.h) may replace.
 ///
-///     upload -> camera -> transform, clip, snap -> facing -> cover -> depth -> fetch -> blend -> store -> resolve
-///     -> read back
+///     upload -> camera -> view and clip, snap -> facing -> cover -> depth -> interpolate -> fetch -> blend -> store
+///     -> resolve -> read back
 ///
 /// Lengths on the picture are sub-pixels, 1/256 pixel.
 #pragma once
@@ -14,41 +14,24 @@
 #include <span>
 #include <vector>
 
+#include "raster/plain/rules.h"
 #include "reference/conformance/vectors/vector_file.h"
-#include "reference/conformance/verdict/triangle_bounds.h"
 
 namespace hemitex::reference {
 
-/// A vertex in clip coordinates.
-struct ClipVertex {
-  glm::dvec4 position;  ///< x, y, z, w
-  glm::dvec2 texcoord;
-};
+/// View and clip by the rules: what remains of triangle t; no vertices if a value is not finite.
+raster::ClippedPolygon polygonByRules(const raster::Face& face, const raster::DrawList& list, std::uint32_t t);
 
-/// A convex polygon; it may be empty.
-using ClipPolygon = std::vector<ClipVertex>;
-
-/// The part of a polygon where dot(plane, position) >= 0.
-ClipPolygon clipAt(const glm::dvec4& plane, const ClipPolygon& polygon);
-
-/// Clips at |x| = size w and |y| = size w.
-ClipPolygon clipAtSides(double size, ClipPolygon polygon);
-
-/// The rules: the near plane is z = 0, with z = w - n.
-glm::dvec4 transformByRules(const raster::Face& face, const glm::vec3& position);
-ClipPolygon clipByRules(const ClipPolygon& polygon);
-
-/// Vertex transformation, clipping and snapping:
-///
-///     position -> clip coordinates (x, y, z, w) -> polygon -> fan of triangles on the sub-pixel grid
+/// From a triangle to triangles on the sub-pixel grid.
 struct StagedGeometry {
-  /// The clip coordinates of a position.
-  std::function<glm::dvec4(const raster::Face&, const glm::vec3&)> transform = transformByRules;
-
-  std::function<ClipPolygon(const ClipPolygon&)> clip = clipByRules;
+  std::function<raster::ClippedPolygon(const raster::Face&, const raster::DrawList&, std::uint32_t)> polygon =
+      polygonByRules;
 
   /// The grid position of a position in sub-pixels.
   std::function<double(double)> snap = [](double position) { return std::nearbyint(position); };
+
+  /// Grid positions per sub-pixel. Where it is more than 1, snapped positions have this finer unit.
+  std::int64_t fineness = 1;
 };
 
 enum class Facing { Front, Back, Culled };
@@ -56,9 +39,17 @@ enum class Facing { Front, Back, Culled };
 /// The facing for the opposite winding.
 inline Facing otherSide(Facing facing) { return facing == Facing::Front ? Facing::Back : Facing::Front; }
 
-/// A lookup in an index map: (u, v), and their change per column and per row of pixels.
+/// The sum of (u, v, 1) at the vertices of a triangle, times edge functions and weight(w). By default it is with
+/// perspective, as in the rules.
+glm::dvec3 weightedSum(
+    const raster::SnappedTriangle& triangle, const raster::Weights& edges,
+    double (*weight)(double) = [](double w) { return 1 / w; });
+
+/// A lookup in an index map.
 struct Lookup {
-  glm::dvec2 at, perColumn, perRow;
+  const raster::SnappedTriangle& triangle;
+  raster::SnappedPoint position;
+  glm::dvec2 at;  ///< (u, v)
 };
 
 inline glm::dvec2 sizeOf(const raster::IndexMap& map) { return {map.width, map.height}; }
@@ -85,12 +76,12 @@ struct StagedDevice {
   /// The facing that the device assumes for a triangle, given its true facing and the view.
   std::function<Facing(Facing, const raster::Face&)> facing = [](Facing side, const raster::Face&) { return side; };
 
-  /// Whether samples on an edge are covered, from the direction in which the edge runs (isTopOrLeft).
-  std::function<bool(const glm::dvec2&)> ownsEdge = isTopOrLeft;
+  /// Whether samples on an edge are covered, from its direction.
+  std::function<bool(const raster::SnappedPoint&)> ownsSamples = raster::ownsSamples;
 
   /// Positions in a pixel: the samples of coverage and depth, and the sample of texture coordinates.
-  std::vector<glm::dvec2> samples{{128, 128}};
-  glm::dvec2 shadingSample{128, 128};
+  std::vector<raster::SnappedPoint> samples{{128, 128}};
+  raster::SnappedPoint shadingSample{128, 128};
 
   /// The stored depth, from 1/w and the near distance, and the depth test. The first fragment always passes. The test
   /// has a tolerance, so that rounding does not decide between equal depths.
@@ -102,8 +93,12 @@ struct StagedDevice {
   /// Whether a face starts with the depths that earlier faces left in its pixels.
   bool keepsDepth = false;
 
-  /// The weight of a vertex at depth w in the interpolation of u and v.
-  std::function<double(double)> weight = [](double w) { return 1 / w; };
+  /// (u, v) at a position, which may lie outside of the triangle.
+  std::function<glm::dvec2(const raster::SnappedTriangle&, const raster::SnappedPoint&)> interpolate =
+      [](const raster::SnappedTriangle& triangle, const raster::SnappedPoint& position) {
+        const glm::dvec3 sum = weightedSum(triangle, weightsAt(triangle, position));
+        return glm::dvec2(sum) / sum.z;
+      };
 
   /// The texel of index map `map` at a lookup.
   std::function<raster::ItemId(const raster::DrawList&, std::size_t, const Lookup&)> fetch =
@@ -147,8 +142,8 @@ StagedDevice withReadBack(const ReadBack& readBack);
 struct PlacedVector {
   const raster::DrawList& list;
   std::vector<raster::Face> faces;
-  std::vector<std::vector<DeviceTriangle>> triangles;  ///< of each face, placed by the rules
-  std::vector<raster::ItemBuffer> buffers;             ///< of each face
+  std::vector<std::vector<raster::SnappedTriangle>> triangles;  ///< of each face, by the rules
+  std::vector<raster::ItemBuffer> buffers;                      ///< of each face
 };
 
 PlacedVector placeVector(const TestVector& vector);

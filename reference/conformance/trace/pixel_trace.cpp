@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <boost/multiprecision/cpp_int.hpp>
-#include <cassert>
+#include <cstdlib>
 
 #include "reference/conformance/vectors/colour_channels.h"
 
@@ -10,92 +10,50 @@ namespace hemitex::reference {
 namespace {
 
 using Rational = boost::multiprecision::cpp_rational;
-using raster::ScreenTriangle;
+using raster::SnappedTriangle;
 using raster::ViewVertex;
 
 // --- vertices and clipping ---
 
-/// Stores the vertices of a triangle, and returns them widened.
-std::array<ViewVertex, 3> deriveVertices(const raster::DrawList& list, const raster::Face& face, std::uint32_t triangle,
-                                         Derivation& derivation) {
-  std::array<ViewVertex, 3> views;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const std::uint32_t index = list.indices[3 * std::size_t{triangle} + k];
-    const glm::vec3 position = list.positions[index];
-    const ViewVertex view = views[k] = raster::transform(face, position, list.texcoords[index]);
-    derivation.vertices[k] = {index, position, position - face.eye, {view.x, view.y, view.w}, list.texcoords[index]};
-  }
-  return views;
+DerivedVertex vertexOf(const raster::DrawList& list, const raster::Face& face, std::uint32_t index,
+                       const ViewVertex& view) {
+  const glm::vec3 position = list.positions[index];
+  return {index, position, position - face.eye, {view.x, view.y, view.w}, list.texcoords[index]};
 }
 
-std::vector<raster::HalfSpace> cutsOf(const std::array<ViewVertex, 3>& vertices, double nearDistance) {
-  std::vector<raster::HalfSpace> cuts;
-  for (const raster::HalfSpace halfSpace : raster::halfSpaces)
-    if (std::any_of(vertices.begin(), vertices.end(),
-                    [&](const ViewVertex& vertex) { return raster::distance(halfSpace, vertex, nearDistance) < 0; }))
-      cuts.push_back(halfSpace);
-  return cuts;
+DerivedCorner cornerOf(const ViewVertex& view, const raster::SnappedPoint& snapped) {
+  return {view, {view.x / view.w, view.y / view.w}, {snapped.x, snapped.y}};
+}
+
+/// Stores the vertices of the visible triangle, and what clipping leaves of them.
+void deriveTriangle(const raster::DrawList& list, const raster::Face& face, Derivation& derivation) {
+  const SnappedTriangle& screen = derivation.visible.screen;
+  const std::array<ViewVertex, 3> views = raster::view(face, list, screen.number);
+  for (std::size_t k = 0; k < 3; ++k) {
+    derivation.vertices[k] = vertexOf(list, face, list.indices[3 * std::size_t{screen.number} + k], views[k]);
+    derivation.corners[k] = cornerOf(screen.vertices[k], screen.corners[k]);
+  }
+  for (const raster::ClipPlane plane : raster::clipPlanes)
+    if (raster::cuts(plane, views, face.nearDistance)) derivation.cutBy.push_back(plane);
+  derivation.piece = screen.piece;
+  derivation.pieces = static_cast<int>(raster::clip(views, face.nearDistance).count) - 2;
+  derivation.area = screen.area;
 }
 
 // --- the fragment of a triangle at a sample ---
 
-using Weights = std::array<Rational, 3>;
+using OverDepth = std::array<Rational, 3>;
 
-Weights weightsAt(const ScreenTriangle& triangle, int column, int row) {
-  Weights weights;
-  for (std::size_t k = 0; k < 3; ++k)
-    weights[k] = Rational(triangle.edges[k].at(column, row)) / Rational(triangle.area);
-  return weights;
+OverDepth overDepthOf(const SnappedTriangle& triangle, int column, int row) {
+  return raster::weightsOverDepth<Rational>(triangle, weightsAt(triangle, raster::sampleOf(column, row)));
 }
 
-/// The sum of b_k value_k / w_k.
-Rational sumOverDepth(const ScreenTriangle& triangle, const Weights& weights, const std::array<double, 3>& values) {
-  Rational sum;
-  for (std::size_t k = 0; k < 3; ++k) sum += weights[k] * Rational(values[k]) / Rational(triangle.w[k]);
-  return sum;
-}
-
-Rational inverseDepthOf(const ScreenTriangle& triangle, const Weights& weights) {
-  return sumOverDepth(triangle, weights, {1, 1, 1});
-}
-
-bool isSame(const ScreenTriangle& a, const ScreenTriangle& b) {
-  const auto isSameEdge = [](const raster::Edge& x, const raster::Edge& y) {
-    return x.a == y.a && x.b == y.b && x.c == y.c;
-  };
-  return std::equal(a.edges.begin(), a.edges.end(), b.edges.begin(), isSameEdge) && a.w == b.w;
-}
-
-DerivedCorner cornerOf(const ViewVertex& view, int resolution) {
-  const glm::dvec2 q(view.x / view.w, view.y / view.w);
-  return {view, q, {raster::snap(q.x, resolution), raster::snap(q.y, resolution)}};
-}
-
-/// Finds `screen` in the fan that clipping leaves of the triangle, and stores its index and corners.
-void derivePiece(const raster::Face& face, const std::array<ViewVertex, 3>& vertices, const ScreenTriangle& screen,
-                 Derivation& derivation) {
-  const bool mirrored = raster::determinant(face) < 0;
-  const raster::ClippedPolygon polygon = raster::clip(vertices, face.nearDistance);
-  derivation.pieces = polygon.count - 2;
-  for (derivation.piece = 0; derivation.piece < derivation.pieces; ++derivation.piece) {
-    const auto k = static_cast<std::size_t>(derivation.piece) + 1;
-    const std::array<ViewVertex, 3> corners{polygon.vertices[0], polygon.vertices[k], polygon.vertices[k + 1]};
-    ScreenTriangle candidate;
-    if (!raster::makeScreenTriangle(face, corners, mirrored, candidate) || !isSame(candidate, screen)) continue;
-    for (std::size_t c = 0; c < 3; ++c) derivation.corners[c] = cornerOf(corners[c], face.resolution);
-    return;
+void deriveEdges(const raster::Weights& weights, Derivation& derivation) {
+  const SnappedTriangle& screen = derivation.visible.screen;
+  for (std::size_t k = 0; k < 3; ++k) {
+    derivation.edges[k] = {weights[k], kindOf(directionOf(screen, k))};
+    derivation.weights[k] = static_cast<double>(weights[k]) / static_cast<double>(std::abs(screen.area));
   }
-  assert(false);
-}
-
-std::int64_t signedArea(const std::array<DerivedCorner, 3>& corners) {
-  const glm::i64vec2 p(corners[1].snapped - corners[0].snapped), q(corners[2].snapped - corners[0].snapped);
-  return p.x * q.y - p.y * q.x;
-}
-
-DerivedEdge edgeAt(const raster::Edge& edge, int column, int row) {
-  const EdgeKind kind = !edge.inclusive ? EdgeKind::Other : edge.a > 0 ? EdgeKind::Left : EdgeKind::Top;
-  return {edge.at(column, row), kind};
 }
 
 // --- texel and blend ---
@@ -119,8 +77,7 @@ void deriveId(const raster::DrawList& list, const Rational& u, const Rational& v
   if (!visible.texel) return;
   const raster::Draw& draw = list.draws[visible.draw];
   const raster::IndexMap& map = list.indexMaps[static_cast<std::size_t>(*draw.indexMap)];
-  const raster::ItemId index =
-      map.ids[static_cast<std::size_t>(visible.texel->row * map.width + visible.texel->column)];
+  const raster::ItemId index = raster::indexAt(list, draw, *visible.texel);
   const Rational column = u * map.width, row = v * map.height;
   derivation.texel = {map.width, map.height, {column.convert_to<double>(), row.convert_to<double>()}, index};
   derivation.sums = sumsOf(list, draw.offset, index);
@@ -134,7 +91,7 @@ std::optional<RunnerUp> runnerUpOf(const std::vector<Fragment>& fragments, const
     return fragment.triangle != front.triangle || fragment.draw != front.draw;
   });
   if (other == fragments.end()) return {};
-  const Rational behind = inverseDepthOf(other->screen, weightsAt(other->screen, column, row));
+  const Rational behind = raster::inverseDepth(overDepthOf(other->screen, column, row));
   const Rational difference = inverseDepth - behind;
   return RunnerUp{{other->draw, other->triangle}, behind.convert_to<double>(), difference.convert_to<double>()};
 }
@@ -146,21 +103,14 @@ std::optional<Derivation> derive(const raster::DrawList& list, const raster::Fac
   if (fragments.empty()) return {};
   Derivation derivation;
   derivation.visible = fragments.front();
-  const ScreenTriangle& screen = derivation.visible.screen;
-  const std::array<ViewVertex, 3> views = deriveVertices(list, face, derivation.visible.triangle, derivation);
-  derivation.cutBy = cutsOf(views, face.nearDistance);
-  derivePiece(face, views, screen, derivation);
-
+  const SnappedTriangle& screen = derivation.visible.screen;
+  deriveTriangle(list, face, derivation);
   derivation.sample = {256 * column + 128, 256 * row + 128};
-  derivation.area = signedArea(derivation.corners);
-  const Weights weights = weightsAt(screen, column, row);
-  for (std::size_t k = 0; k < 3; ++k) {
-    derivation.edges[k] = edgeAt(screen.edges[k], column, row);
-    derivation.weights[k] = weights[k].convert_to<double>();
-  }
-  const Rational inverseDepth = inverseDepthOf(screen, weights);
-  const Rational u = sumOverDepth(screen, weights, screen.u) / inverseDepth;
-  const Rational v = sumOverDepth(screen, weights, screen.v) / inverseDepth;
+  deriveEdges(weightsAt(screen, raster::sampleOf(column, row)), derivation);
+  const OverDepth overDepth = overDepthOf(screen, column, row);
+  const Rational inverseDepth = raster::inverseDepth(overDepth);
+  const Rational u = raster::interpolated(screen, overDepth, &ViewVertex::u);
+  const Rational v = raster::interpolated(screen, overDepth, &ViewVertex::v);
   derivation.inverseDepth = inverseDepth.convert_to<double>();
   derivation.coordinates = {u.convert_to<double>(), v.convert_to<double>()};
   deriveId(list, u, v, derivation);

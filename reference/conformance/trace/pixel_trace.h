@@ -8,7 +8,6 @@
 #include <optional>
 #include <vector>
 
-#include "raster/setup/vertex_stage.h"
 #include "reference/conformance/trace/fragments.h"
 
 namespace hemitex::reference {
@@ -29,7 +28,7 @@ struct DerivedCorner {
   glm::ivec2 snapped;  ///< in 1/256 pixel
 };
 
-enum class EdgeKind { Top, Left, Other };
+using raster::EdgeKind;
 
 /// The edge opposite a corner, at the sample.
 struct DerivedEdge {
@@ -61,7 +60,7 @@ struct RunnerUp {
 struct Derivation {
   Fragment visible;
   std::array<DerivedVertex, 3> vertices;
-  std::vector<raster::HalfSpace> cutBy;  ///< half-spaces that cut off at least one vertex
+  std::vector<raster::ClipPlane> cutBy;  ///< planes that cut off at least one vertex
   int piece = 0, pieces = 1;             ///< index of the triangle in its fan, size of the fan
   std::array<DerivedCorner, 3> corners;
   glm::ivec2 sample;  ///< in 1/256 pixel

@@ -6,8 +6,7 @@
 
 #include "raster/base/file_io.h"
 #include "raster/base/parallel.h"
-#include "raster/setup/triangle_setup.h"
-#include "raster/software/software_renderer.h"
+#include "raster/plain/plain_renderer.h"
 #include "reference/conformance/trace/fragments.h"
 #include "reference/conformance/vectors/array_file.h"
 
@@ -20,73 +19,54 @@ using raster::ViewVertex;
 // Corners are written as they are in memory: x, y, w, u, v.
 static_assert(sizeof(ViewVertex) == 5 * sizeof(double));
 
-// --- vertices ---
+// --- vertices and pieces ---
 
-bool isInside(const ViewVertex& vertex, double nearDistance) {
-  return raster::isFinite(vertex) &&
-         std::all_of(raster::halfSpaces.begin(), raster::halfSpaces.end(), [&](raster::HalfSpace halfSpace) {
-           return raster::distance(halfSpace, vertex, nearDistance) >= 0;
-         });
+template <typename Vertices>
+bool isCut(const Vertices& vertices, double nearDistance) {
+  return std::any_of(raster::clipPlanes.begin(), raster::clipPlanes.end(),
+                     [&](raster::ClipPlane plane) { return raster::cuts(plane, vertices, nearDistance); });
 }
 
-glm::ivec2 snap(const ViewVertex& vertex, int resolution) {
-  return {raster::snap(vertex.x / vertex.w, resolution), raster::snap(vertex.y / vertex.w, resolution)};
+glm::ivec2 onGrid(const ViewVertex& vertex, int resolution) {
+  const raster::SnappedPoint snapped = raster::snap(vertex, resolution);
+  return {snapped.x, snapped.y};
 }
 
-void addVertices(const std::vector<ViewVertex>& vertices, const raster::Face& face, Stages& stages) {
-  for (const ViewVertex& vertex : vertices) {
+void addVertices(const raster::DrawList& list, const raster::Face& face, Stages& stages) {
+  for (std::size_t v = 0; v < list.positions.size(); ++v) {
+    const ViewVertex vertex = raster::view(face, list.positions[v], list.texcoords[v]);
+    const bool isInside = raster::isFinite(vertex) && !isCut(std::array{vertex}, face.nearDistance);
     stages.view.push_back({vertex.x, vertex.y, vertex.w});
-    stages.snapped.push_back(isInside(vertex, face.nearDistance) ? snap(vertex, face.resolution)
-                                                                 : glm::ivec2(notSnapped));
+    stages.snapped.push_back(isInside ? onGrid(vertex, face.resolution) : glm::ivec2(notSnapped));
   }
 }
 
-// --- pieces ---
-
-void addPieces(const raster::DrawList& list, const std::vector<ViewVertex>& vertices, const raster::Face& face,
-               Stages& stages) {
-  for (std::size_t t = 0; t < list.indices.size() / 3; ++t) {
-    std::array<ViewVertex, 3> corners;
-    for (std::size_t k = 0; k < 3; ++k) corners[k] = vertices[list.indices[3 * t + k]];
-    const bool isWhole = std::all_of(corners.begin(), corners.end(),
-                                     [&](const ViewVertex& vertex) { return isInside(vertex, face.nearDistance); });
-    if (isWhole || !std::all_of(corners.begin(), corners.end(), raster::isFinite)) continue;
+void addPieces(const raster::DrawList& list, const raster::Face& face, Stages& stages) {
+  for (std::uint32_t t = 0; t < list.indices.size() / 3; ++t) {
+    const std::array<ViewVertex, 3> corners = raster::view(face, list, t);
+    if (!raster::areFinite(corners) || !isCut(corners, face.nearDistance)) continue;
     const raster::ClippedPolygon polygon = raster::clip(corners, face.nearDistance);
-    for (std::size_t k = 2; k < static_cast<std::size_t>(polygon.count); ++k) {
-      const std::array<ViewVertex, 3> piece{polygon.vertices[0], polygon.vertices[k - 1], polygon.vertices[k]};
+    for (std::size_t k = 2; k < polygon.count; ++k) {
+      const auto& [a, b, c] = stages.pieceCorners.emplace_back(fanTriangle(polygon, k));
       stages.pieceTriangles.push_back(static_cast<std::int32_t>(t));
-      stages.pieceCorners.push_back(piece);
       stages.pieceSnapped.push_back(
-          {snap(piece[0], face.resolution), snap(piece[1], face.resolution), snap(piece[2], face.resolution)});
+          {onGrid(a, face.resolution), onGrid(b, face.resolution), onGrid(c, face.resolution)});
     }
   }
 }
 
 // --- pixels ---
 
-/// The index in `drawn` of the triangle that each pixel shows: the renderer draws each triangle with its index as item
-/// ID.
-raster::ItemBuffer drawNumbers(const raster::DrawList& list, const std::vector<DrawnTriangle>& drawn,
-                               const raster::Face& face) {
-  raster::DrawList numbered{list.positions, list.texcoords, list.indices, {}, {}, {{32}}};
-  for (const DrawnTriangle& triangle : drawn)
-    numbered.draws.push_back({3 * triangle.triangle, 3, static_cast<raster::ItemId>(numbered.draws.size()), {}, {}});
-  return render(raster::SoftwareRenderer(std::move(numbered)), {&face, 1}, {}).front();
-}
-
 void addPixels(const raster::DrawList& list, const raster::Face& face, Stages& stages) {
-  const std::vector<DrawnTriangle> drawn = drawnTriangles(list);
-  const raster::ItemBuffer numbers = drawNumbers(list, drawn, face);
-  stages.triangles.resize(numbers.ids.size(), -1);
-  stages.inverseDepths.resize(numbers.ids.size());
-  stages.coordinates.resize(numbers.ids.size(), glm::dvec2(0.0));
-  stages.texels.resize(numbers.ids.size(), glm::ivec2(-1));
-  raster::parallelFor(numbers.ids.size(), [&](std::size_t pixel) {
-    if (numbers.ids[pixel] >= drawn.size()) return;
-    const glm::ivec2 at = pixelAt(face.scissor, pixel);
-    // Rounding may let parts of a clipped triangle overlap: then the nearest counts.
-    const auto parts = screenTriangles(list, face, {&drawn[numbers.ids[pixel]], 1});
-    const Fragment fragment = fragmentsAt(list, parts, at.x, at.y).at(0);
+  const std::vector<raster::SnappedTriangle> triangles = raster::snappedTriangles(list, face);
+  const std::vector<raster::CoveredSample> visible = raster::visibleSamples(triangles, face.scissor);
+  stages.triangles.resize(visible.size(), -1);
+  stages.inverseDepths.resize(visible.size());
+  stages.coordinates.resize(visible.size(), glm::dvec2(0.0));
+  stages.texels.resize(visible.size(), glm::ivec2(-1));
+  raster::parallelFor(visible.size(), [&](std::size_t pixel) {
+    if (!visible[pixel].triangle) return;
+    const Fragment fragment = fragmentOf(list, visible[pixel]);
     stages.triangles[pixel] = static_cast<std::int32_t>(fragment.triangle);
     stages.inverseDepths[pixel] = fragment.inverseDepth;
     stages.coordinates[pixel] = {fragment.u, fragment.v};
@@ -97,12 +77,9 @@ void addPixels(const raster::DrawList& list, const raster::Face& face, Stages& s
 }  // namespace
 
 Stages stagesOf(const raster::DrawList& list, const raster::Face& face) {
-  std::vector<ViewVertex> vertices;
-  for (std::size_t v = 0; v < list.positions.size(); ++v)
-    vertices.push_back(raster::transform(face, list.positions[v], list.texcoords[v]));
   Stages stages;
-  addVertices(vertices, face, stages);
-  addPieces(list, vertices, face, stages);
+  addVertices(list, face, stages);
+  addPieces(list, face, stages);
   addPixels(list, face, stages);
   return stages;
 }

@@ -9,7 +9,7 @@
 #include <limits>
 #include <vector>
 
-#include "raster/setup/vertex_stage.h"
+#include "raster/plain/rules.h"
 #include "reference/conformance/vectors/vector_file.h"
 
 namespace hemitex::reference {
@@ -34,7 +34,7 @@ struct Stages {
   std::vector<std::array<glm::ivec2, 3>> pieceSnapped;          ///< of the corners
 };
 
-/// The stages of a face. The list and the face are valid. It draws the face and sets up one triangle per pixel.
+/// The stages of a face. The list and the face are valid. It draws the face as PlainRenderer does.
 Stages stagesOf(const raster::DrawList& list, const raster::Face& face);
 
 /// Writes the stages of all faces of a vector beside its vector.json. `stages.json` names the arrays of each face

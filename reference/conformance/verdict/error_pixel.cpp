@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "raster/plain/plain_renderer.h"
+
 namespace hemitex::reference {
 namespace {
 
@@ -83,7 +85,7 @@ std::string toText(const ErrorPixel& error) {
 }
 
 ErrorPixel errorAt(const raster::DrawList& list, const std::string& face,
-                   std::span<const raster::ScreenTriangle> triangles, int column, int row, raster::ItemId expected,
+                   std::span<const raster::SnappedTriangle> triangles, int column, int row, raster::ItemId expected,
                    raster::ItemId found) {
   const std::vector<Fragment> fragments = fragmentsAt(list, triangles, column, row);
   const std::optional<Fragment> visible = fragments.empty() ? std::nullopt : std::optional(fragments.front());
@@ -94,7 +96,7 @@ ErrorPixel errorAt(const raster::DrawList& list, const std::string& face,
 }
 
 ErrorPixel errorAt(const raster::DrawList& list, const VectorFace& face, int column, int row, raster::ItemId found) {
-  const std::vector<raster::ScreenTriangle> triangles = screenTriangles(list, face.face);
+  const std::vector<raster::SnappedTriangle> triangles = raster::snappedTriangles(list, face.face);
   const std::vector<Fragment> fragments = fragmentsAt(list, triangles, column, row);
   const raster::ItemId expected = fragments.empty() ? raster::backgroundId(list.format) : fragments.front().id;
   return errorAt(list, face.name, triangles, column, row, expected, found);
@@ -105,7 +107,7 @@ std::vector<ErrorPixel> firstErrors(const TestVector& vector, const Verdict& ver
   for (std::size_t f = 0; f < verdict.faces.size() && errors.size() < count; ++f) {
     const FaceVerdict& face = verdict.faces[f];
     if (std::find(face.pixels.begin(), face.pixels.end(), PixelVerdict::Error) == face.pixels.end()) continue;
-    const std::vector<raster::ScreenTriangle> triangles = screenTriangles(vector.list, vector.faces[f].face);
+    const std::vector<raster::SnappedTriangle> triangles = raster::snappedTriangles(vector.list, vector.faces[f].face);
     for (std::size_t pixel = 0; pixel < face.pixels.size() && errors.size() < count; ++pixel) {
       if (face.pixels[pixel] != PixelVerdict::Error) continue;
       const glm::ivec2 at = pixelAt(face.scissor, pixel);

@@ -62,9 +62,9 @@ struct ErrorPixel {
 std::string toText(const ErrorPixel& error);
 
 /// The error at a pixel of the viewport of the face named `face`, where a device drew `found` instead of `expected`.
-/// `triangles` are the screen triangles of that face (fragments.h).
+/// `triangles` are those of that face (raster::snappedTriangles).
 ErrorPixel errorAt(const raster::DrawList& list, const std::string& face,
-                   std::span<const raster::ScreenTriangle> triangles, int column, int row, raster::ItemId expected,
+                   std::span<const raster::SnappedTriangle> triangles, int column, int row, raster::ItemId expected,
                    raster::ItemId found);
 
 /// The same for a single pixel, with the expected item ID of the rules: sets up all triangles of the face.

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "raster/base/input_error.h"
+#include "raster/plain/plain_renderer.h"
 #include "reference/conformance/trace/fragments.h"
 #include "reference/conformance/trace/pixel_trace.h"
 #include "reference/conformance/vectors/enum_names.h"
@@ -15,18 +16,18 @@ namespace hemitex::reference {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using raster::HalfSpace;
+using raster::ClipPlane;
 
 Json list(const glm::vec2& v) { return {v.x, v.y}; }
 Json list(const glm::vec3& v) { return {v.x, v.y, v.z}; }
 Json list(const glm::dvec2& v) { return {v.x, v.y}; }
 Json list(const glm::ivec2& v) { return {v.x, v.y}; }
 
-constexpr std::array<Named<HalfSpace>, 5> halfSpaceNames{{{HalfSpace::Near, "near"},
-                                                          {HalfSpace::Right, "right"},
-                                                          {HalfSpace::Left, "left"},
-                                                          {HalfSpace::Top, "top"},
-                                                          {HalfSpace::Bottom, "bottom"}}};
+constexpr std::array<Named<ClipPlane>, 5> clipPlaneNames{{{ClipPlane::Near, "near"},
+                                                          {ClipPlane::Right, "right"},
+                                                          {ClipPlane::Left, "left"},
+                                                          {ClipPlane::Upper, "top"},
+                                                          {ClipPlane::Lower, "bottom"}}};
 constexpr std::array<Named<EdgeKind>, 3> edgeKindNames{
     {{EdgeKind::Top, "top"}, {EdgeKind::Left, "left"}, {EdgeKind::Other, "other"}}};
 
@@ -56,7 +57,7 @@ Json verticesOf(const Derivation& derivation) {
 Json toJson(const Derivation& derivation) {
   const Fragment& visible = derivation.visible;
   Json cutBy = Json::array();
-  for (const HalfSpace halfSpace : derivation.cutBy) cutBy.push_back(nameOf(halfSpaceNames, halfSpace));
+  for (const ClipPlane plane : derivation.cutBy) cutBy.push_back(nameOf(clipPlaneNames, plane));
   Json edges;
   for (const DerivedEdge& edge : derivation.edges)
     edges.push_back({{"value", edge.value}, {"kind", nameOf(edgeKindNames, edge.kind)}});
@@ -129,7 +130,7 @@ Json viewOf(const raster::Face& face) {
 
 Json explanation(const TestVector& vector, const VectorFace& face, int column, int row) {
   requireInside(face.face.scissor, column, row);
-  const auto triangles = screenTriangles(vector.list, face.face);
+  const auto triangles = raster::snappedTriangles(vector.list, face.face);
   const auto fragments = fragmentsAt(vector.list, triangles, column, row);
   const auto derivation = derive(vector.list, face.face, fragments, column, row);
   const raster::ItemId id = derivation ? derivation->visible.id : raster::backgroundId(vector.list.format);

@@ -129,13 +129,11 @@ struct Clipped {
 /// Empty polygons if clipping leaves nothing, or if a value is not finite.
 Clipped clipTriangle(const raster::DrawList& list, const raster::Face& face, std::uint32_t t, bool loose,
                      double roundoff) {
-  std::array<ViewVertex, 3> corners, sizes;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const std::uint32_t index = list.indices[3 * std::size_t{t} + k];
-    corners[k] = raster::transform(face, list.positions[index], list.texcoords[index]);
-    sizes[k] = withSizes(corners[k], face, list.positions[index]);
-  }
-  if (!std::all_of(corners.begin(), corners.end(), raster::isFinite)) return {};
+  const std::array<ViewVertex, 3> corners = raster::view(face, list, t);
+  if (!raster::areFinite(corners)) return {};
+  std::array<ViewVertex, 3> sizes;
+  for (std::size_t k = 0; k < 3; ++k)
+    sizes[k] = withSizes(corners[k], face, list.positions[list.indices[3 * std::size_t{t} + k]]);
   glm::dvec2 largest(0.0);
   for (const ViewVertex& corner : corners) largest = glm::max(largest, glm::abs(glm::dvec2(corner.u, corner.v)));
   const double nearDistance = face.nearDistance;
@@ -163,8 +161,7 @@ DeviceTriangle fanTriangle(const Clipped& clipped, std::size_t k, const Placemen
   }
   triangle.largest = clipped.largest;
   triangle.nearestDepth = HUGE_VAL;
-  for (std::size_t v = 0; v < static_cast<std::size_t>(clipped.polygon.count); ++v)
-    triangle.nearestDepth = std::min(triangle.nearestDepth, clipped.polygon.vertices[v].w);
+  for (const ViewVertex& vertex : clipped.polygon) triangle.nearestDepth = std::min(triangle.nearestDepth, vertex.w);
   return triangle;
 }
 
@@ -207,7 +204,7 @@ EdgeValue edgeAt(const DeviceTriangle& triangle, std::size_t k, const glm::dvec2
   const double orientation = triangle.area > 0 ? 1 : -1;
   const glm::dvec2& p = triangle.vertices[k].position;
   const glm::dvec2 along = orientation * (triangle.vertices[(k + 1) % 3].position - p);
-  return {cross(along, sample - p), isTopOrLeft(along)};
+  return {raster::cross(along, sample - p), isTopOrLeft(along)};
 }
 
 glm::dvec2 edgeReach(const DeviceTriangle& triangle, std::size_t k) {
@@ -244,7 +241,7 @@ std::vector<DeviceTriangle> placeTriangles(const raster::DrawList& list, const r
   std::vector<DeviceTriangle> triangles;
   for (const DrawnTriangle& drawn : drawnTriangles(list)) {
     const Clipped clipped = clipTriangle(list, face, drawn.triangle, loose, placement.roundoff);
-    for (std::size_t k = 2; k < static_cast<std::size_t>(clipped.polygon.count); ++k) {
+    for (std::size_t k = 2; k < clipped.polygon.count; ++k) {
       DeviceTriangle triangle = fanTriangle(clipped, k, placement);
       triangle.triangle = drawn.triangle;
       triangle.draw = drawn.draw;
@@ -312,7 +309,7 @@ bool edgeMayPass(const DeviceTriangle& triangle, std::size_t k, const glm::dvec2
       return false;
   // The value is exact from either end, so that two triangles that share the edge get equal results.
   const glm::dvec2 along = q - p;
-  return std::abs(cross(along, sample - p)) <= std::abs(along.x) * reach.y + std::abs(along.y) * reach.x;
+  return std::abs(raster::cross(along, sample - p)) <= std::abs(along.x) * reach.y + std::abs(along.y) * reach.x;
 }
 
 }  // namespace hemitex::reference

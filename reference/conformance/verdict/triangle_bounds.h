@@ -22,9 +22,8 @@
 #include <optional>
 #include <vector>
 
-#include "raster/interface/draw_list.h"
-#include "raster/interface/face.h"
-#include "raster/setup/vertex_stage.h"
+#include "raster/base/cross.h"
+#include "raster/plain/rules.h"
 #include "reference/conformance/verdict/device_profile.h"
 
 namespace hemitex::reference {
@@ -88,11 +87,9 @@ inline std::size_t texelAt(double position, int size) {
   return static_cast<std::size_t>(std::clamp(std::floor(position), 0.0, size - 1.0));
 }
 
-inline double cross(const glm::dvec2& p, const glm::dvec2& q) { return p.x * q.y - p.y * q.x; }
-
 /// The doubled, signed area of three vertices as placed.
 inline double doubledArea(const std::array<DeviceVertex, 3>& vertices) {
-  return cross(vertices[1].position - vertices[0].position, vertices[2].position - vertices[0].position);
+  return raster::cross(vertices[1].position - vertices[0].position, vertices[2].position - vertices[0].position);
 }
 
 /// The bounds of a triangle at a sample; nothing where it cannot cover the sample.

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "raster/base/input_error.h"
-#include "raster/setup/vertex_stage.h"
+#include "raster/plain/rules.h"
 
 namespace hemitex::reference {
 namespace {
@@ -150,8 +150,8 @@ void FixedFunction::setView(const raster::Face& face, int width) {
   vertices_.clear();
   for (const Corners& corners : triangles_) {
     std::array<raster::ViewVertex, 3> views;
-    for (std::size_t k = 0; k < 3; ++k) views[k] = raster::transform(face, corners[k].position, corners[k].texel);
-    if (!std::all_of(views.begin(), views.end(), raster::isFinite)) views.fill({0, 0, 1, 0, 0});
+    for (std::size_t k = 0; k < 3; ++k) views[k] = raster::view(face, corners[k].position, corners[k].texel);
+    if (!raster::areFinite(views)) views.fill({0, 0, 1, 0, 0});
     for (std::size_t k = 0; k < 3; ++k)
       vertices_.push_back({glm::vec4(corners[k].texel, 0, 1), clipPosition(face, views[k], width)});
   }

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "raster/kernels/kernels.h"
-#include "raster/setup/vertex_stage.h"
+#include "raster/plain/rules.h"
 #include "tests/support/raster_scenes.h"
 
 using namespace hemitex;
@@ -101,7 +101,7 @@ TEST_CASE("Kernels::place transforms and snaps a vertex inside the half-spaces a
     bestKernels().place(mesh, part, face, vertices);
     for (std::size_t i = 0; i < part.vertices; ++i) {
       const std::size_t v = part.firstVertex + i;
-      const ViewVertex p = transform(face, {mesh.positions[0][v], mesh.positions[1][v], mesh.positions[2][v]}, {});
+      const ViewVertex p = view(face, {mesh.positions[0][v], mesh.positions[1][v], mesh.positions[2][v]}, {});
       const ClippedPolygon unclipped = isFinite(p) ? clip({p, p, p}, face.nearDistance) : ClippedPolygon{};
       CHECK(((vertices.sides[i] & notInside) == 0) == (unclipped.count > 0));
       if (unclipped.count == 0) continue;

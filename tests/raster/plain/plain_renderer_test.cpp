@@ -1,4 +1,4 @@
-// PlainRenderer and SoftwareRenderer share no code after their interface: equal item IDs mean that both follow the
+// PlainRenderer and SoftwareRenderer share view, clip and snap: equal item IDs mean that the rest of both follows the
 // rules.
 #include "raster/plain/plain_renderer.h"
 

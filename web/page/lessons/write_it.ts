@@ -115,7 +115,7 @@ class WriteLesson {
       "Pineda 1988, A Parallel Algorithm for Polygon Rasterization, SIGGRAPH '88. " +
         "Sutherland and Hodgman 1974, Reentrant Polygon Clipping, Communications of the ACM 17(1).",
     ).className = "source";
-    sourceLink(root, "raster/plain/plain_renderer.cpp", "The same rules in C++");
+    sourceLink(root, "raster/plain/rules.h", "The same rules in C++");
     void this.run();
   }
 

@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <numeric>
 
+#include "raster/plain/plain_renderer.h"
 #include "reference/conformance/suite/vector_suite.h"
 #include "reference/conformance/trace/stage_dump.h"
 #include "tests/support/raster_scenes.h"
@@ -24,18 +25,18 @@ const TestVector& named(const std::vector<TestVector>& suite, const std::string&
 }
 
 std::optional<Derivation> deriveAt(const raster::DrawList& list, const raster::Face& face,
-                                   std::span<const raster::ScreenTriangle> triangles, int column, int row) {
+                                   std::span<const raster::SnappedTriangle> triangles, int column, int row) {
   return reference::derive(list, face, reference::fragmentsAt(list, triangles, column, row), column, row);
 }
 
 std::optional<Derivation> deriveAt(const raster::DrawList& list, const raster::Face& face, int column, int row) {
-  return deriveAt(list, face, reference::screenTriangles(list, face), column, row);
+  return deriveAt(list, face, raster::snappedTriangles(list, face), column, row);
 }
 
 /// Calls check(pixel, derivation) for about `count` pixels of a face, spread over it.
 template <typename Check>
 void forSomePixels(const raster::DrawList& list, const raster::Face& face, int count, const Check& check) {
-  const auto triangles = reference::screenTriangles(list, face);
+  const auto triangles = raster::snappedTriangles(list, face);
   const int width = face.scissor.width, pixels = width * face.scissor.height;
   // Odd steps, so that columns differ from row to row.
   const int step = std::max(1, pixels / count) | 1;

@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "raster/setup/triangle_setup.h"
+#include "raster/plain/plain_renderer.h"
 #include "reference/conformance/suite/vector_suite.h"
 #include "reference/conformance/trace/fragments.h"
 #include "reference/conformance/vectors/array_file.h"
@@ -115,7 +115,7 @@ TEST_CASE("stagesOf holds the first fragment of every pixel", "[stages]") {
                "guard-band-sheet", "coplanar-slope", "same-triangle", "minified", "needles"}))
     for (const reference::VectorFace& face : vector.faces) {
       const Stages stages = reference::stagesOf(vector.list, face.face);
-      const auto triangles = reference::screenTriangles(vector.list, face.face);
+      const auto triangles = raster::snappedTriangles(vector.list, face.face);
       std::size_t wrong = 0;
       forEachPixel(face.face, [&](std::size_t pixel, int column, int row) {
         const auto fragments = reference::fragmentsAt(vector.list, triangles, column, row);

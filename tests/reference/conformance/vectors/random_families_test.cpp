@@ -7,7 +7,6 @@
 
 #include "raster/setup/exact_interpolation.h"
 #include "raster/setup/triangle_setup.h"
-#include "raster/setup/vertex_stage.h"
 #include "reference/conformance/vectors/random_vectors.h"
 
 using namespace hemitex;
@@ -98,7 +97,7 @@ void count(const raster::DrawList& list, const raster::Face& face, Counts& count
     for (std::size_t k = 0; k < 3; ++k) {
       const std::uint32_t index = list.indices[3 * t + k];
       positions[k] = list.positions[index];
-      corners[k] = raster::transform(face, list.positions[index], list.texcoords[index]);
+      corners[k] = raster::view(face, list.positions[index], list.texcoords[index]);
     }
     countCorners(corners, face, counts);
     counts["slimmer than 2e-7"] += slimness(positions) < 2e-7;

@@ -3,6 +3,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "raster/plain/plain_renderer.h"
 #include "tests/support/judged_wall.h"
 
 using namespace hemitex;
@@ -29,7 +30,7 @@ TEST_CASE("errorAt classifies what the device shows in place of the expected ite
 
 TEST_CASE("errorAt reports the expected item ID that it is given", "[verdict]") {
   const JudgedWall wall;
-  const auto triangles = reference::screenTriangles(wall.vector.list, wall.vector.faces[0].face);
+  const auto triangles = raster::snappedTriangles(wall.vector.list, wall.vector.faces[0].face);
   const reference::ErrorPixel error = reference::errorAt(wall.vector.list, "top", triangles, 1, 1, 0x105, 0x10f);
   CHECK(error.expected == 0x105);
   CHECK(toText(error.expectedOrigin) == "draw 0 texel 1,1");

@@ -1,5 +1,6 @@
-// transform and clip: kept vertices, crossings on edges, and equal crossings for neighbours.
-#include "raster/setup/vertex_stage.h"
+// The rules as functions: kept vertices, crossings on edges, equal crossings for neighbours, edges, ties, and texels
+// that double precision does not resolve.
+#include "raster/plain/rules.h"
 
 #include <catch2/catch.hpp>
 
@@ -13,7 +14,7 @@ namespace {
 /// The doubled area of a polygon in the plane w = 1.
 double fanArea(const raster::ClippedPolygon& polygon) {
   double area = 0;
-  for (std::size_t k = 2; k < static_cast<std::size_t>(polygon.count); ++k) {
+  for (std::size_t k = 2; k < polygon.count; ++k) {
     const ViewVertex &a = polygon.vertices[0], &b = polygon.vertices[k - 1], &c = polygon.vertices[k];
     area += (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
   }
@@ -22,13 +23,13 @@ double fanArea(const raster::ClippedPolygon& polygon) {
 
 }  // namespace
 
-TEST_CASE("transform multiplies the rows of the view with the offset from the eye", "[clip]") {
+TEST_CASE("view multiplies the rows of the view with the offset from the eye", "[clip]") {
   raster::Face face = tests::frontFace(64);
   face.eye = {1, 2, 3};
   face.x = {0, 0, 1};
   face.y = {2, 0, 0};
   face.w = {0, 1, 0};
-  const ViewVertex vertex = raster::transform(face, {11, 22, 33}, {0.25f, 0.75f});
+  const ViewVertex vertex = raster::view(face, {11, 22, 33}, {0.25f, 0.75f});
   CHECK(vertex.x == 30);
   CHECK(vertex.y == 20);
   CHECK(vertex.w == 20);
@@ -90,7 +91,7 @@ TEST_CASE("clip cuts an edge at the same point for both of its triangles", "[cli
     const ViewVertex left = vertex(tests::uniform(random, 3, 9)), right = vertex(tests::uniform(random, 3, 9));
     const auto crossings = [](const raster::ClippedPolygon& polygon) {
       std::vector<std::array<double, 4>> found;
-      for (std::size_t k = 0; k < static_cast<std::size_t>(polygon.count); ++k)
+      for (std::size_t k = 0; k < polygon.count; ++k)
         if (const ViewVertex& p = polygon.vertices[k]; p.w == 2) found.push_back({p.x, p.y, p.u, p.v});
       return found;
     };
@@ -103,4 +104,55 @@ TEST_CASE("clip cuts an edge at the same point for both of its triangles", "[cli
     holds &= shared && one.size() == 2 && two.size() == 2;
   }
   CHECK(holds);
+}
+
+TEST_CASE("snap puts y = -w into row 0, and clamps to the guard band", "[rules]") {
+  const raster::SnappedPoint first = raster::snap(ViewVertex{-3, -3, 3, 0, 0}, 64);
+  CHECK(first.x == 0);
+  CHECK(first.y == 0);
+  CHECK(raster::snap(0, 64) == 32 * 256);
+  CHECK(raster::snap(100, 64) == raster::snap(8, 64));
+}
+
+TEST_CASE("covers gives a sample on an edge to the triangle whose top or left edge it is", "[rules]") {
+  // The samples of a square of 2 x 2 pixels are its corners, and its diagonal.
+  const raster::SnappedPoint a = raster::sampleOf(0, 0), b = raster::sampleOf(2, 0), c = raster::sampleOf(2, 2),
+                             d = raster::sampleOf(0, 2);
+  const raster::Face face = tests::frontFace(64);
+  for (const bool reversed : {false, true}) {
+    const auto triangle = [&](const auto& p, const auto& q, const auto& r) {
+      return raster::snappedTriangle(face, {}, {p, reversed ? r : q, reversed ? q : r});
+    };
+    const raster::SnappedTriangle upper = triangle(a, b, c), lower = triangle(a, c, d);
+    CHECK(upper.facesAway == lower.facesAway);
+    const auto isCovered = [](const raster::SnappedTriangle& one, int column, int row) {
+      return covers(one, weightsAt(one, raster::sampleOf(column, row)));
+    };
+    CHECK(isCovered(upper, 1, 0));        // top
+    CHECK(isCovered(lower, 0, 1));        // left
+    CHECK(isCovered(upper, 1, 1));        // the diagonal is the left edge of the upper triangle
+    CHECK_FALSE(isCovered(lower, 1, 1));  // and the right edge of the lower one
+    CHECK_FALSE(isCovered(upper, 2, 1));  // right
+    CHECK_FALSE(isCovered(lower, 1, 2));  // bottom
+  }
+  CHECK(raster::kindOf({1, 0}) == raster::EdgeKind::Top);
+  CHECK(raster::kindOf({1, -1}) == raster::EdgeKind::Left);
+  CHECK(raster::kindOf({-1, 0}) == raster::EdgeKind::Other);
+}
+
+TEST_CASE("isNearer and texelAt decide what double precision does not resolve", "[rules]") {
+  const raster::Face face = tests::frontFace(64);
+  const auto wall = [&](double w, double u) {
+    return raster::snappedTriangle(face, {{{0, 0, w, u, 0}, {0, 0, w, u, 0}, {0, 0, w, u, 0}}},
+                                   {{{0, 0}, {7 * 256, 0}, {0, 5 * 256}}});
+  };
+  const auto at = [](const raster::SnappedTriangle& triangle) {
+    return coveredSample(triangle, weightsAt(triangle, raster::sampleOf(1, 1)));
+  };
+  const raster::SnappedTriangle near = wall(3, 1.0 / 3), far = wall(3 + 0x1p-51, std::nextafter(0.25, 0.0));
+  CHECK(isNearer(at(near), at(far)));
+  CHECK_FALSE(isNearer(at(far), at(near)));
+  CHECK_FALSE(isNearer(at(near), at(near)));
+  CHECK(texelAt(at(far), &ViewVertex::u, 4) == 0);
+  CHECK(texelAt(at(wall(3, 0.25)), &ViewVertex::u, 4) == 1);
 }
