@@ -16,6 +16,7 @@
 #include "cli/scene/scene_options.h"
 #include "raster/base/file_io.h"
 #include "raster/base/input_error.h"
+#include "reference/measurement/bench/render_times.h"
 
 namespace hemitex::cli {
 namespace {

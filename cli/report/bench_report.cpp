@@ -3,6 +3,7 @@
 #include <sstream>
 
 #include "cli/common/table.h"
+#include "reference/measurement/bench/render_times.h"
 
 namespace hemitex::cli {
 namespace {

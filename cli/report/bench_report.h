@@ -1,8 +1,14 @@
 /// Writes the measurements of `hemitex bench` as JSON and Markdown.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "cli/common/json.h"
-#include "reference/measurement/bench/render_times.h"
+
+namespace hemitex::reference {
+struct BenchRun;
+}
 
 namespace hemitex::cli {
 

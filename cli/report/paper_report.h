@@ -6,7 +6,10 @@
 #include <vector>
 
 #include "cli/common/json.h"
-#include "reference/measurement/paper/runs.h"
+
+namespace hemitex::reference {
+struct PaperRun;
+}
 
 namespace hemitex::cli {
 

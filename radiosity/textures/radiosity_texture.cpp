@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <functional>
 
+#include "radiosity/solver/progressive_solver.h"
 #include "raster/base/input_error.h"
 
 namespace hemitex::radiosity {

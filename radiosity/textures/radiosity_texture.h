@@ -10,13 +10,14 @@
 
 #include "radiosity/discretization/discretization.h"
 #include "radiosity/images/image.h"
-#include "radiosity/solver/progressive_solver.h"
 #include "radiosity/textures/chart_borders.h"
 #include "radiosity/textures/map_texels.h"
 #include "radiosity/textures/texture_filter.h"
 #include "radiosity/textures/texture_layout.h"
 
 namespace hemitex::radiosity {
+
+struct Solution;
 
 /// The radiosity of each element, one texel per element, in W/m^2.
 std::vector<Image> radiosityTextures(const Discretization& discretization, const TextureLayout& layout,

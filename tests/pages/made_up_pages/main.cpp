@@ -7,6 +7,8 @@
 #include "cli/report/html_page.h"
 #include "cli/report/paper_report.h"
 #include "radiosity/images/image.h"
+#include "reference/measurement/bench/render_times.h"
+#include "reference/measurement/paper/runs.h"
 
 using namespace hemitex;
 

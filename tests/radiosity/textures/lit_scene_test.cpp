@@ -10,6 +10,7 @@
 #include "radiosity/images/image.h"
 #include "radiosity/pictures/pictures.h"
 #include "radiosity/scene/load_scene.h"
+#include "radiosity/solver/progressive_solver.h"
 #include "radiosity/textures/corner_radiosity.h"
 #include "radiosity/textures/radiosity_texture.h"
 #include "raster/base/input_error.h"

@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include "radiosity/discretization/discretize.h"
+#include "radiosity/solver/progressive_solver.h"
 #include "radiosity/textures/lit_scene.h"
 #include "radiosity/textures/radiosity_texture.h"
 #include "tests/support/hand_scenes.h"

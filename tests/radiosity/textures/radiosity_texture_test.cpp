@@ -6,6 +6,7 @@
 #include <random>
 
 #include "radiosity/geometry/rectangle_packing.h"
+#include "radiosity/solver/progressive_solver.h"
 #include "radiosity/textures/corner_radiosity.h"
 #include "radiosity/textures/file_names.h"
 #include "raster/base/input_error.h"
