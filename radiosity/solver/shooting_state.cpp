@@ -191,6 +191,7 @@ std::size_t ShootingState::shoot(std::uint32_t patch, const FormFactorRow& row) 
   const glm::dvec3 shot = unshot_.flux()[patch];
   light_.shot[patch] += shot;
   unshot_.clear(patch);
+  absorbed_.clear();
   const std::vector<Part> parts = partsOf(row, discretization_);
   std::vector<Receipt> receipts(parts.size());
   // Patches belong to one surface, so that no two threads change the same patch.
@@ -211,14 +212,15 @@ std::size_t ShootingState::shoot(std::uint32_t patch, const FormFactorRow& row) 
 }
 
 Energy ShootingState::energy() const {
-  KahanSum unshot;
+  KahanSum absorbed, unshot;
+  for (const glm::dvec3& flux : absorbedBySurfaces()) absorbed.add(flux);
   for (const glm::dvec3& flux : unshot_.flux()) unshot.add(flux);
-  return {emitted_, absorbed(), unshot.value(), lost_.value(), lostToBacks_.value(), light_.outside.onBacks};
+  return {emitted_, absorbed.value(), unshot.value(), lost_.value(), lostToBacks_.value(), light_.outside.onBacks};
 }
 
-/// The flux that the elements received and do not reflect. Short sums are plain sums, which are four times as fast and
-/// lose at most one digit.
-glm::dvec3 ShootingState::absorbed() const {
+/// The flux that the elements of each surface received and do not reflect. Short sums are plain sums, which are four
+/// times as fast and lose at most one digit.
+std::vector<glm::dvec3> ShootingState::absorbedBySurfaces() const {
   constexpr std::uint32_t summedPlainly = 64;
   std::vector<glm::dvec3> ofSurfaces(discretization_.grids.size());
   raster::parallelFor(ofSurfaces.size(), [&](std::size_t s) {
@@ -233,34 +235,30 @@ glm::dvec3 ShootingState::absorbed() const {
     }
     ofSurfaces[s] = sum.value();
   });
-  KahanSum sum;
-  for (const glm::dvec3& ofSurface : ofSurfaces) sum.add(ofSurface);
-  return sum.value();
+  return ofSurfaces;
 }
 
 double ShootingState::residual() const {
   return light_.lastEmitted > 0 ? (bandSum(unshot_.sizes()) + light_.stale) / light_.lastEmitted : 0;
 }
 
-double ShootingState::absorbedBy(const std::vector<bool>& surfaces) const {
+/// Visits the elements once per shot.
+double ShootingState::absorbedBy(const std::vector<bool>& surfaces) {
+  if (absorbed_.empty()) absorbed_ = absorbedBySurfaces();
   double absorbed = 0;
-  for (std::uint32_t s = 0; s < surfaces.size(); ++s) {
-    if (!surfaces[s]) continue;
-    const SurfaceValues reflectance = reflectances(scene_, discretization_, s);
-    for (const std::uint32_t element : elementsOf(discretization_.grids[s]))
-      absorbed += bandSum(light_.received[element] * (1.0 - reflectance.of(element)));
-  }
+  for (std::uint32_t s = 0; s < surfaces.size(); ++s)
+    if (surfaces[s]) absorbed += bandSum(absorbed_[s]);
   return absorbed;
 }
 
-double ShootingState::seenResidual(const std::vector<bool>& seen) const {
+double ShootingState::seenResidual(const std::vector<bool>& seen) {
   double unshot = 0;
   for (std::size_t p = 0; p < patches_.list.size() && !seen.empty(); ++p)
     if (seen[patches_.list[p].surface]) unshot += bandSum(glm::abs(unshot_.flux()[p]));
   return unshot > 0 ? unshot / absorbedBy(seen) : 0;
 }
 
-double ShootingState::seenGain(std::uint32_t patch, const FormFactorRow& row, const std::vector<bool>& seen) const {
+double ShootingState::seenGain(std::uint32_t patch, const FormFactorRow& row, const std::vector<bool>& seen) {
   const glm::dvec3 flux = glm::abs(unshot(patch));
   double gain = 0;
   for (std::size_t i = 0; i < row.elements.size(); ++i) {

@@ -103,10 +103,10 @@ class ShootingState {
   double residual() const;
   /// As residual, of the seen surfaces alone: the absolute unshot flux of their patches over the flux that they have
   /// absorbed. `seen` has one value per surface; 0 if it is empty.
-  double seenResidual(const std::vector<bool>& seen) const;
+  double seenResidual(const std::vector<bool>& seen);
   /// The share of the flux absorbed by seen surfaces that the patch would add directly if it shot along `row`; bands
   /// summed.
-  double seenGain(std::uint32_t patch, const FormFactorRow& row, const std::vector<bool>& seen) const;
+  double seenGain(std::uint32_t patch, const FormFactorRow& row, const std::vector<bool>& seen);
   /// Irradiance of the elements, W/m^2 per band: received flux over area.
   std::vector<glm::dvec3> irradiance() const;
   /// Radiosity of the elements, W/m^2 per band: flux over area. Reuses the memory of the received flux.
@@ -115,8 +115,8 @@ class ShootingState {
   Patches takePatches() { return std::move(patches_); }
 
  private:
-  double absorbedBy(const std::vector<bool>& surfaces) const;
-  glm::dvec3 absorbed() const;
+  double absorbedBy(const std::vector<bool>& surfaces);
+  std::vector<glm::dvec3> absorbedBySurfaces() const;
   glm::dvec3 unshotOf(std::uint32_t patch) const;
   std::vector<glm::dvec3> unshotByPatches() const;
 
@@ -124,7 +124,8 @@ class ShootingState {
   const Discretization& discretization_;
   Patches patches_;
   ShotLight light_;
-  UnshotTree unshot_;  ///< one per patch
+  UnshotTree unshot_;                 ///< one per patch
+  std::vector<glm::dvec3> absorbed_;  ///< one per surface; empty if it has to be summed again
   glm::dvec3 emitted_{0.0};
   KahanSum lost_, lostToBacks_;
 };
