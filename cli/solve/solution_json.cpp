@@ -272,10 +272,10 @@ std::vector<std::string> unitWarning(const SolvedScene& solved) {
 }
 
 std::vector<std::string> warningsOf(const radiosity::Solution& solution) {
-  std::vector<std::string> warnings = solution.warnings;
-  for (std::string& warning : warnings)
-    if (warning.ends_with("give each side a surface of its own")) warning += " (--two-sided)";
-  return warnings;
+  std::vector<std::string> texts;
+  for (const auto& [text, isAboutBacks] : solution.warnings)
+    texts.push_back(text + (isAboutBacks ? " (--two-sided)" : ""));
+  return texts;
 }
 
 }  // namespace hemitex::cli

@@ -196,10 +196,16 @@ py::dict edit(Solved& solved, const py::sequence& list, py::object progress) {
                   "started_over"_a = cost.startedOver);
 }
 
+std::vector<std::string> textsOf(const std::vector<radiosity::SolutionWarning>& warnings) {
+  std::vector<std::string> texts;
+  for (const radiosity::SolutionWarning& warning : warnings) texts.push_back(warning.text);
+  return texts;
+}
+
 py::dict aboutSolution(const Solved& solved) {
   const radiosity::Energy& energy = solved.solution->energy;
   py::dict about("shots"_a = solved.solution->shots, "residual"_a = solved.solution->residual,
-                 "interrupted"_a = solved.solution->isInterrupted, "warnings"_a = solved.solution->warnings,
+                 "interrupted"_a = solved.solution->isInterrupted, "warnings"_a = textsOf(solved.solution->warnings),
                  "ambient"_a = toTuple(solved.solution->ambient),
                  "patches"_a = solved.elements->discretization.patches.list.size(),
                  "energy"_a = py::dict("emitted"_a = toTuple(energy.emitted), "absorbed"_a = toTuple(energy.absorbed),

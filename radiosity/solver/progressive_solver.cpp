@@ -30,16 +30,21 @@ glm::dvec3 ambientEstimate(const Scene& scene, const Discretization& discretizat
 /// Limit for a warning, as a share of the emitted flux. The few pixels that see backs through cracks lose less.
 constexpr double maxLostToBacks = 0.01;
 
-std::vector<std::string> warningsOf(const Energy& energy) {
+std::vector<SolutionWarning> warningsOf(const Scene& scene, const Energy& energy) {
   const double emitted = bandSum(energy.emitted);
   const double lostToBacks = emitted > 0 ? bandSum(energy.lostToBacks) / emitted : 0;
-  if (!(lostToBacks > maxLostToBacks)) return {};
-  const int tenths = static_cast<int>(lostToBacks * 1000 + 0.5);
-  return {
-      std::to_string(tenths / 10) + "." + std::to_string(tenths % 10) +
-      " % of the emitted flux was absorbed by the backs of faces, which lit surfaces see. Either a face is "
-      "wound clockwise as seen from its lit side, or light reaches both sides of a single sheet. Turn the face over, "
-      "or give each side a surface of its own"};
+  std::vector<SolutionWarning> warnings;
+  if (lostToBacks > maxLostToBacks) {
+    const int tenths = static_cast<int>(lostToBacks * 1000 + 0.5);
+    warnings.push_back(
+        {std::to_string(tenths / 10) + "." + std::to_string(tenths % 10) +
+             " % of the emitted flux was absorbed by the backs of faces, which lit surfaces see. Either a face is "
+             "wound clockwise as seen from its lit side, or light reaches both sides of a single sheet. Turn the face "
+             "over, or give each side a surface of its own",
+         true});
+  }
+  if (const auto loss = lossWarning(scene, energy)) warnings.push_back({*loss});
+  return warnings;
 }
 
 /// All emitted flux over the flux of a patch of weight 1 (see PatchSplit).
@@ -144,8 +149,7 @@ Solution finished(const SolveInput& input, Solution solution, ShootingState stat
   solution.energy = state.energy();
   if (!solution.absorbedByBacks.empty()) solution.absorbedByBacks.resize(state.patches().list.size());
   solution.ambient = ambientEstimate(input.scene, input.discretization, solution.energy);
-  solution.warnings = warningsOf(solution.energy);
-  if (const auto warning = lossWarning(input.scene, solution.energy)) solution.warnings.push_back(*warning);
+  solution.warnings = warningsOf(input.scene, solution.energy);
   if (input.isContinued) solution.continuation = Continuation{state.light(), std::move(rows)};
   solution.patches = state.takePatches();
   if (hasMaps(input.scene) || input.settings.keepsIrradiance) solution.irradiance = state.irradiance();

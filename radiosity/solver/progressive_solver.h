@@ -66,6 +66,11 @@ struct Continuation {
   KeptRows rows;  ///< each cache with half the memory of the settings; `solve` leaves `ofViews` empty
 };
 
+struct SolutionWarning {
+  std::string text;
+  bool isAboutBacks = false;  ///< surfaces with two sides may be the remedy
+};
+
 struct Solution {
   std::vector<glm::dvec3> radiosity;  ///< one per element, W/m^2 per band, without the ambient estimate
   /// One per element, W/m^2 per band: the flux that it received, over its area. Empty if no surface has a map and
@@ -79,7 +84,7 @@ struct Solution {
   double residual = 0;  ///< unshot over emitted flux, bands summed (see ShootingState::residual)
   int shots = 0;
   bool isInterrupted = false;  ///< ended by Progress before a limit was reached
-  std::vector<std::string> warnings;
+  std::vector<SolutionWarning> warnings;
   std::optional<Continuation> continuation = {};  ///< if SolveInput::isContinued
 };
 

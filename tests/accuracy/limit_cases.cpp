@@ -67,7 +67,7 @@ std::string saidOfCoincidentFaces() {
                                    .discretization = world.discretization,
                                    .patches = world.discretization.patches,
                                    .rowOf = [&](const radiosity::Patch& patch) { return rows.ofPatch(patch); }});
-  return solution.warnings.empty() ? "" : solution.warnings.back();
+  return solution.warnings.empty() ? "" : solution.warnings.back().text;
 }
 
 Files withVertex(const std::string& numbers) {

@@ -146,7 +146,8 @@ TEST_CASE("solve warns if more than one percent is lost to backs", "[solver]") {
   const Energy& energy = open.solution.energy;
   char share[16];
   std::snprintf(share, sizeof share, "%.1f %% ", 100 * bandSum(energy.lostToBacks) / bandSum(energy.emitted));
-  CHECK_THAT(open.solution.warnings[0], Catch::StartsWith(share) && Catch::Contains("backs of faces"));
+  CHECK_THAT(open.solution.warnings[0].text, Catch::StartsWith(share) && Catch::Contains("backs of faces"));
+  CHECK(open.solution.warnings[0].isAboutBacks);
   CHECK(run(tests::closedCube(glm::dvec3(0.5), glm::dvec3(1)), 4, 2, 32, {}).solution.warnings.empty());
 }
 
@@ -158,7 +159,9 @@ TEST_CASE("solve warns if nearly all light leaves the scene", "[solver]") {
   const Run dark = run(tests::finish(scene), 4, 2, 32, {});
   const auto warning = lossWarning(dark.scene, dark.solution.energy);
   REQUIRE(warning);
-  CHECK(dark.solution.warnings == std::vector<std::string>{*warning});
+  REQUIRE(dark.solution.warnings.size() == 1);
+  CHECK(dark.solution.warnings[0].text == *warning);
+  CHECK(!dark.solution.warnings[0].isAboutBacks);
 }
 
 TEST_CASE("solve lists likely shots whose rows are not in the cache", "[solver]") {
