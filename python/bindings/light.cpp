@@ -172,28 +172,31 @@ std::shared_ptr<Solved> solve(const SharedElements& elements, const py::dict& gi
   return solved;
 }
 
-py::dict edit(Solved& solved, const py::sequence& list, py::object progress) {
-  if (!solved.dynamic)
-    throw InputError("the solution keeps nothing to edit", "give editable=True to discretize and to solve");
+/// The edited solution, to which what edits go on from moves, and the cost.
+py::tuple edit(Solved& solved, const py::sequence& list, py::object progress) {
   const std::vector<radiosity::Edit> edits = editsOf(list);
   const std::unique_lock locked(solved.mutex, std::try_to_lock);
   if (!locked) throw InputError("another thread edits this solution");
+  if (solved.isEdited) throw InputError("the solution was edited before", "edit the solution that this gave");
+  if (!solved.dynamic)
+    throw InputError("the solution keeps nothing to edit", "give editable=True to discretize and to solve");
   Progress told(std::move(progress));
-  SharedElements elements;
-  SharedSolution solution;
+  auto edited = std::make_shared<Solved>();
+  edited->method = solved.method;
   const radiosity::UpdateCost cost = unlocked([&] {
     const radiosity::UpdateCost spent = solved.dynamic->update(edits, progressOf(told, solved.method.solver));
     const radiosity::DynamicSolution& now = *solved.dynamic;
-    elements = std::make_shared<const Elements>(Elements{std::make_shared<const radiosity::Scene>(now.scene()), false,
-                                                         solved.elements->settings, now.discretization()});
-    solution = resultOf(now.solution());
+    edited->elements = std::make_shared<const Elements>(Elements{
+        std::make_shared<const radiosity::Scene>(now.scene()), false, solved.elements->settings, now.discretization()});
+    edited->solution = resultOf(now.solution());
     return spent;
   });
-  solved.elements = elements;
-  solved.solution = solution;
-  return py::dict("rows_in_windows"_a = cost.rowsInWindows, "rows_whole"_a = cost.rowsWhole,
-                  "rows_retracted"_a = cost.rowsRetracted, "rows_left"_a = cost.rowsLeft,
-                  "started_over"_a = cost.startedOver);
+  edited->dynamic = std::move(solved.dynamic);
+  solved.isEdited = true;
+  py::dict spent("rows_in_windows"_a = cost.rowsInWindows, "rows_whole"_a = cost.rowsWhole,
+                 "rows_retracted"_a = cost.rowsRetracted, "rows_left"_a = cost.rowsLeft,
+                 "started_over"_a = cost.startedOver);
+  return py::make_tuple(edited, spent);
 }
 
 std::vector<std::string> textsOf(const std::vector<radiosity::SolutionWarning>& warnings) {

@@ -28,14 +28,15 @@ struct Method {
   radiosity::RendererFactory makeRenderer;
 };
 
-/// A solution; the elements have the patches as split. Edits replace all members at a time.
+/// A solution; the elements have the patches as split.
 struct Solved {
   Method method;
   SharedElements elements;
   SharedSolution solution;  ///< without patches and continuation
   std::optional<radiosity::LightErrors> expectedErrors;
-  std::unique_ptr<radiosity::DynamicSolution> dynamic;  ///< of one that can be edited
-  std::mutex mutex;                                     ///< held by an edit
+  std::unique_ptr<radiosity::DynamicSolution> dynamic;  ///< of one that can be edited; an edit moves it on
+  bool isEdited = false;
+  std::mutex mutex;  ///< held by an edit
 };
 
 /// The camera of a dictionary: `eye`, `look_at`, `up`, `fov`.

@@ -327,6 +327,9 @@ void addScenes(py::module_& module) {
   module.def("about_elements", &aboutElements);
   module.def("places", &placesOf);
   module.def("grid", &gridOf);
+  module.def("surfaces_named", [](const Elements& elements, const py::object& name) {
+    return radiosity::surfacesNamed(*elements.scene, textOf(name, "name"));
+  });
   module.def("families", [](const Elements& elements) { return familiesOf(elements).names; });
   module.def("scene_of", [](const Elements& elements) { return PythonScene{elements.scene, elements.facets}; });
 }

@@ -17,11 +17,12 @@ share that is done, and stop on Ctrl-C. Other threads run meanwhile. Results nev
 """
 
 from ._core import InputError
+from .cameras import Camera, camera
 from .conformance import Explanation, TestVector, Verdict, explain, judge, read_vector, vector_suite
 from .form_factors import (FormFactorMatrix, FormFactorRow, Hemicube, HemicubeFace, MatrixVerdict, analytic,
                            check_matrix, form_factor_matrix, form_factor_row, hemicube, rays, read_matrix)
 from .light import Sensitivity, Solution, UpdateCost, edit, insist, sensitivity, solve, threads
-from .pictures import Camera, camera, render
+from .pictures import render
 from .rasterizers import Draw, DrawList, Face, Rasterizer
 from .scenes import (Add, Edit, Elements, Move, Remove, Restore, Scene, SetEmission, SetReflectance, discretize,
                      load_scene)

@@ -12,21 +12,30 @@ import numpy.typing as npt
 
 from . import _core
 from ._core import InputError
+from .cameras import Camera, camera
 from .form_factors import Told, _settings
-from .pictures import Camera, camera
 from .rasterizers import Rasterizer, _factory
 from .scenes import Edit, Elements, Floats, Scene, _core_of, _edits, _elements, _three_bands
 
 
+@dataclass(frozen=True)
+class UpdateCost:
+    """The work of an edit of a solution beside its shots: numbers of form-factor rows."""
+    rows_in_windows: int  #: of which only the changed windows were drawn
+    rows_whole: int  #: drawn completely
+    rows_retracted: int  #: of patches that moved or were removed
+    rows_left: int  #: kept, as little of their light can pass the change
+    started_over: bool  #: solved again
+
+
 class Solution:
-    """The light of a scene. `edit` updates it."""
+    """The light of a scene."""
 
-    def __init__(self, core: _core.Solution) -> None:
-        """For use by this package: see `solve`."""
+    def __init__(self, core: _core.Solution, update_cost: UpdateCost | None = None) -> None:
+        """For use by this package: see `solve` and `edit`."""
         self._core = core
-        self._read()
-
-    def _read(self) -> None:
+        self.update_cost = update_cost
+        """What the edit took that gave this solution; None for one of `solve`."""
         self.elements = Elements(_core.elements_of(self._core))
         self.radiosity: Floats = _core.radiosity(self._core)
         """(elements, 3), W/m^2 per band; read-only, in the memory of the solution."""
@@ -84,7 +93,7 @@ def solve(what: Scene | Elements,
 
     residual: stops when so much of the emitted flux is unshot (default 0.001; 0.00001 with light from outside).
     max_error: solves with growing effort until the expected error is at most this share, of all flux and of what
-    `seen_by` sees. format: channels of item IDs. editable: `edit` can update the solution.
+    `seen_by` sees. format: channels of item IDs. editable: `edit` takes the solution.
     progress: a function of the share that is done; if it returns False, the solution ends with what it has.
     """
     elements = _elements(what, editable)
@@ -97,36 +106,25 @@ def solve(what: Scene | Elements,
     return Solution(_core.solve(_core_of(elements, Elements), settings, seen_from, _factory(rasterizer), progress))
 
 
-@dataclass(frozen=True)
-class UpdateCost:
-    """The work of an edit of a solution beside its shots: numbers of form-factor rows."""
-    rows_in_windows: int  #: of which only the changed windows were drawn
-    rows_whole: int  #: drawn completely
-    rows_retracted: int  #: of patches that moved or were removed
-    rows_left: int  #: kept, as little of their light can pass the change
-    started_over: bool  #: solved again
-
-
 @overload
 def edit(what: Scene, edits: Edit | Sequence[Edit]) -> Scene:
     ...
 
 
 @overload
-def edit(what: Solution, edits: Edit | Sequence[Edit], *, progress: Told | None = None) -> UpdateCost:
+def edit(what: Solution, edits: Edit | Sequence[Edit], *, progress: Told | None = None) -> Solution:
     ...
 
 
 def edit(what: Any, edits: Edit | Sequence[Edit], *, progress: Told | None = None) -> Any:
-    """The edited scene; or updates a solution, which must be editable, and returns what that took.
+    """The edited scene or solution; `what` keeps its values.
 
-    Arrays that were taken from the solution before keep their values.
+    A solution is updated instead of solved again. It must be editable, and can be edited once: edit the result next.
     """
     if isinstance(what, Scene):
         return Scene(_core.edit_scene(what._core, _edits(edits)))
-    cost = _core.edit_solution(_core_of(what, Solution), _edits(edits), progress)
-    what._read()
-    return UpdateCost(**cost)
+    core, cost = _core.edit_solution(_core_of(what, Solution), _edits(edits), progress)
+    return Solution(core, UpdateCost(**cost))
 
 
 @dataclass(frozen=True)

@@ -238,10 +238,7 @@ class Elements:
 
     def of(self, name: str) -> Integers:
         """The numbers of the elements of a surface or family, ascending."""
-        numbers = [s for s, each in enumerate(zip(self.scene.names, self.scene.families)) if name in each]
-        if not numbers:
-            _core.form_factor_row(self._core, name, {}, None)  # says which names are similar
-        return np.flatnonzero(np.isin(self.surface, numbers))
+        return np.flatnonzero(np.isin(self.surface, _core.surfaces_named(self._core, name)))
 
     def grid(self, name: str) -> Integers:
         """(rows, columns): the number of the element of each texel of a surface, -1 where there is none.

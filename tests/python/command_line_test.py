@@ -113,14 +113,16 @@ def test_edit_equals_hemitex_solve_with_edits(tmp_path: Path) -> None:
         '{"frames": [[{"move": "short-block", "by": [40, 0, -80]}], [{"remove": "tall-block"}]]}')
     run("solve", ROOM, "--texels", 4, "--edits", tmp_path / "edits.json", "-o", tmp_path / "lit")
     solution = hx.solve(hx.discretize(hx.load_scene(ROOM), texels=4, editable=True), editable=True)
-    before = solution.radiosity
-    kept = before.copy()
-    assert np.array_equal(before, elements_of(tmp_path / "lit")["radiosity"])
-    hx.edit(solution, hx.Move("short-block", by=(40, 0, -80)))
-    assert np.array_equal(solution.radiosity, elements_of(tmp_path / "lit" / "frame-1")["radiosity"])
-    hx.edit(solution, [hx.Remove("tall-block")])
-    assert np.array_equal(solution.radiosity, elements_of(tmp_path / "lit" / "frame-2")["radiosity"])
-    assert len(solution.elements) < len(before) and np.array_equal(before, kept)
+    moved = hx.edit(solution, hx.Move("short-block", by=(40, 0, -80)))
+    removed = hx.edit(moved, [hx.Remove("tall-block")])
+    for each, folder in ((solution, "lit"), (moved, "lit/frame-1"), (removed, "lit/frame-2")):
+        assert np.array_equal(each.radiosity, elements_of(tmp_path / folder)["radiosity"])
+    assert len(removed.elements) < len(moved.elements) == len(solution.elements)
+    assert solution.update_cost is None and moved.update_cost.rows_in_windows > 0
+    for old in (solution, moved):
+        with pytest.raises(hx.InputError, match="edited before"):
+            hx.edit(old, hx.Restore("tall-block"))
+    assert len(hx.edit(removed, hx.Restore("tall-block")).elements) == len(moved.elements)
 
 
 def test_solve_with_a_bound_equals_hemitex_solve(tmp_path: Path) -> None:
