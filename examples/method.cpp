@@ -4,7 +4,7 @@
 ///     method FOLDER    writes scene.obj, radiosity.csv and picture.ppm into the folder
 ///
 /// Read it from top to bottom; each section is a step of the method. Only one thing comes from elsewhere: a renderer,
-/// which draws triangles into item buffers (raster/plain/rules.h, 330 lines to read next). It stands for the graphics
+/// which draws triangles into item buffers (raster/plain/rules.h, 340 lines to read next). It stands for the graphics
 /// hardware of the paper. Everything else is here, with nothing for speed but that form factors are kept.
 /// `hemitex solve` does the same for any scene, a thousand times faster: with the same patches its radiosity is equal.
 #include <algorithm>

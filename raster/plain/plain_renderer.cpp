@@ -9,9 +9,7 @@ namespace {
 /// Appends what remains of triangle t after clipping.
 void append(std::vector<SnappedTriangle>& triangles, const DrawList& list, const Face& face, std::uint32_t draw,
             std::uint32_t t) {
-  const std::array<ViewVertex, 3> vertices = view(face, list, t);
-  if (!areFinite(vertices)) return;
-  const ClippedPolygon polygon = clip(vertices, face.nearDistance);
+  const ClippedPolygon polygon = clip(face, list, t);
   for (std::size_t k = 2; k < polygon.count; ++k) {
     const auto& [a, b, c] = fanTriangle(polygon, k);
     SnappedTriangle triangle = snappedTriangle(

@@ -41,7 +41,7 @@ inline std::array<ViewVertex, 3> view(const Face& face, const DrawList& list, st
   return {vertex(0), vertex(1), vertex(2)};
 }
 
-/// A triangle with a vertex that is not finite is not drawn.
+/// A triangle with a value that is not finite is not drawn.
 inline bool isFinite(const ViewVertex& p) {
   return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.w) && std::isfinite(p.u) && std::isfinite(p.v);
 }
@@ -121,6 +121,12 @@ inline ClippedPolygon clip(const std::array<ViewVertex, 3>& triangle, double nea
   for (const ClipPlane plane : clipPlanes)
     if (cuts(plane, polygon, nearDistance)) polygon = clip(polygon, plane, nearDistance);
   return polygon;
+}
+
+/// What remains of triangle t of a list; nothing if a value is not finite.
+inline ClippedPolygon clip(const Face& face, const DrawList& list, std::uint32_t t) {
+  const std::array<ViewVertex, 3> vertices = view(face, list, t);
+  return areFinite(vertices) ? clip(vertices, face.nearDistance) : ClippedPolygon{};
 }
 
 /// A polygon is drawn as a fan of triangles around its first vertex. This is the one that ends at vertex k, from 2 on.

@@ -49,7 +49,7 @@ std::vector<Fault> additions(const DrawList& list) {
              {{"", withBlend(colourChannelsOf(list.format), clampedSum)}}}};
   if (list.blend != raster::Blend::ClampedAdd) return {};
   const auto carried = [](const DrawList& drawn, ItemId offset, ItemId texel) {
-    return (offset + texel) & raster::backgroundId(drawn.format);
+    return raster::blend(drawn.format, raster::Blend::IntegerAdd, offset, texel);
   };
   return {{"wrap instead of clamp",
            "clamp each channel's sum to its maximum: look for integer formats, or shaders that add",

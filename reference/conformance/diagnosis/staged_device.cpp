@@ -154,11 +154,6 @@ raster::ItemBuffer drawFace(const StagedDevice& device, const raster::DrawList& 
 
 }  // namespace
 
-raster::ClippedPolygon polygonByRules(const raster::Face& face, const raster::DrawList& list, std::uint32_t t) {
-  const std::array<raster::ViewVertex, 3> vertices = raster::view(face, list, t);
-  return raster::areFinite(vertices) ? raster::clip(vertices, face.nearDistance) : raster::ClippedPolygon{};
-}
-
 glm::dvec3 weightedSum(const SnappedTriangle& triangle, const raster::Weights& edges, double (*weight)(double)) {
   glm::dvec3 sum(0.0);
   for (std::size_t k = 0; k < 3; ++k) {

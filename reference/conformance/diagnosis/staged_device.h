@@ -19,13 +19,11 @@
 
 namespace hemitex::reference {
 
-/// View and clip by the rules: what remains of triangle t; no vertices if a value is not finite.
-raster::ClippedPolygon polygonByRules(const raster::Face& face, const raster::DrawList& list, std::uint32_t t);
-
 /// From a triangle to triangles on the sub-pixel grid.
 struct StagedGeometry {
+  /// View and clip: what remains of triangle t.
   std::function<raster::ClippedPolygon(const raster::Face&, const raster::DrawList&, std::uint32_t)> polygon =
-      polygonByRules;
+      [](const raster::Face& face, const raster::DrawList& list, std::uint32_t t) { return clip(face, list, t); };
 
   /// The grid position of a position in sub-pixels.
   std::function<double(double)> snap = [](double position) { return std::nearbyint(position); };

@@ -58,17 +58,14 @@ void deriveEdges(const raster::Weights& weights, Derivation& derivation) {
 
 // --- texel and blend ---
 
-std::vector<DerivedSum> sumsOf(const raster::DrawList& list, raster::ItemId offset, raster::ItemId texel) {
+std::vector<DerivedSum> sumsOf(const raster::DrawList& list, raster::ItemId offset, raster::ItemId texel,
+                               raster::ItemId id) {
   std::vector<DerivedSum> sums;
   if (list.blend == raster::Blend::Replace) return sums;
   const bool isClamped = list.blend == raster::Blend::ClampedAdd;
   for (const Channel& channel :
-       isClamped ? channelsOf(list.format) : std::vector{Channel{0, raster::idBits(list.format)}}) {
-    const std::uint64_t largest = channel.largest();
-    DerivedSum sum{channel.bits, channel.of(offset), channel.of(texel), 0};
-    sum.result = isClamped ? std::min(sum.offset + sum.texel, largest) : (sum.offset + sum.texel) & largest;
-    sums.push_back(sum);
-  }
+       isClamped ? channelsOf(list.format) : std::vector{Channel{0, raster::idBits(list.format)}})
+    sums.push_back({channel.bits, channel.of(offset), channel.of(texel), channel.of(id)});
   return sums;
 }
 
@@ -80,7 +77,7 @@ void deriveId(const raster::DrawList& list, const Rational& u, const Rational& v
   const raster::ItemId index = raster::indexAt(list, draw, *visible.texel);
   const Rational column = u * map.width, row = v * map.height;
   derivation.texel = {map.width, map.height, {column.convert_to<double>(), row.convert_to<double>()}, index};
-  derivation.sums = sumsOf(list, draw.offset, index);
+  derivation.sums = sumsOf(list, draw.offset, index, visible.id);
 }
 
 /// The first fragment behind the visible one that is of another triangle.
