@@ -1,4 +1,5 @@
 /// hemitex bench and tradeoff: tables, objects and pages.
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <iterator>
@@ -6,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "tests/support/shell.h"
 
@@ -45,11 +47,34 @@ TEST_CASE("hemitex tradeoff writes a table, an object and a page, the same for a
   const auto lines = linesOf(readAll(shell.file("one/tradeoff.csv")));
   REQUIRE(lines.size() == 1 + 4 * (2 + 1));
   CHECK(lines[1].starts_with("hemicube,resolution,32,3072,4,2,96,24,"));
+  std::map<std::string, double> errors;  // by method, setting, texels and patch
   for (const json& choice : result["choices"]) {
-    CHECK(choice["radiosity_error"]["flux_weighted"] > 0);
-    CHECK(choice["row_error"]["relative_l1"] > 0);
-    CHECK(choice["bytes"]["rows"] > 0);
-    CHECK(choice["times"]["median_s"] > 0);
+    const auto is = [&](const char* key) { return choice[key].get<std::size_t>(); };
+    const auto name = [&](std::size_t patch) {
+      return json{choice["method"], choice["value"], choice["texels"], patch}.dump();
+    };
+    INFO(name(is("patch")));
+    std::vector<double> rounds = choice["times"]["rounds_s"];
+    std::sort(rounds.begin(), rounds.end());
+    CHECK(rounds.front() > 0);
+    CHECK(choice["times"]["median_s"] == rounds.at(1));
+    // A patch of a closed box sees the elements of the other five faces: at most 12 bytes for each.
+    const std::size_t most = is("patches") * (is("elements") * 5 / 6) * 12;
+    if (choice["method"] == "hemicube") {
+      CHECK(is("directions") == 3 * is("value") * is("value"));
+      CHECK(choice["bytes"]["buffer"] == 4 * is("directions"));
+      CHECK(choice["bytes"]["rows"] == most);
+    } else {
+      CHECK(choice["bytes"]["rows"] <= most);
+    }
+    // All flux arrives somewhere, so that patches of one element come nearer to the truth than those of four.
+    errors[name(is("patch"))] = choice["radiosity_error"]["flux_weighted"];
+    if (is("patch") == 1) CHECK(errors.at(name(1)) < errors.at(name(2)));
+  }
+  // Few rays have more noise than thousands of pixels.
+  for (std::size_t k = 0; k < 4; ++k) {
+    const auto error = [&](std::size_t choice) { return result["choices"][choice]["row_error"]["relative_l1"]; };
+    CHECK(error(8 + k) > error(2 * k));
   }
   CHECK(result["same_points"]["hemicubes"].size() == 2);
   CHECK(result["same_points"]["rays"].size() == 1);
