@@ -5,10 +5,15 @@
 /// allow for a page from disk. The script names the version of the page that the folder holds; a page of another
 /// version loads itself again. So no port is opened, and other programs cannot ask for the scene.
 #include <algorithm>
+#include <chrono>
+#include <cstdint>
 #include <iostream>
+#include <map>
 #include <memory>
 #include <numeric>
 #include <optional>
+#include <set>
+#include <thread>
 #include <utility>
 
 #include "cli/common/commands.h"
@@ -23,7 +28,6 @@
 #include "cli/solve/run.h"
 #include "cli/solve/run_size.h"
 #include "cli/view/browser.h"
-#include "cli/watch/watched_files.h"
 #include "radiosity/scene/load_scene.h"
 #include "radiosity/scene/scene_edits.h"
 #include "radiosity/solver/dynamic_solution.h"
@@ -48,6 +52,47 @@ struct WatchOptions {
 };
 
 bool isStopping() { return LongRun::isStopping(); }
+
+/// The files of a scene, as they were at one time.
+class WatchedFiles {
+ public:
+  WatchedFiles() = default;
+  /// A file may be missing; it changes when it appears.
+  explicit WatchedFiles(const std::set<fs::path>& files) {
+    for (const fs::path& file : files) {
+      std::error_code isMissing;
+      const auto time = fs::last_write_time(file, isMissing);
+      const std::uintmax_t size = fs::file_size(file, isMissing);
+      states_[file] = isMissing ? State() : State(time, size);
+    }
+  }
+
+  /// Waits until a file has changed and none has changed for 40 ms since, so that a program has probably written all of
+  /// them. Returns a changed file; nothing after a signal.
+  std::optional<fs::path> awaitChange() const {
+    constexpr std::chrono::milliseconds interval{20};
+    constexpr int quietIntervals = 2;
+    std::set<fs::path> files;
+    for (const auto& [file, state] : states_) files.insert(file);
+    std::map<fs::path, State> last = states_;
+    int quiet = 0;
+    while (!isStopping()) {
+      std::this_thread::sleep_for(interval);
+      std::map<fs::path, State> now = WatchedFiles(files).states_;
+      quiet = now == last ? quiet + 1 : 0;
+      last = std::move(now);
+      if (quiet < quietIntervals) continue;
+      for (const auto& [file, state] : last)
+        if (state != states_.at(file)) return file;
+    }
+    return std::nullopt;
+  }
+
+ private:
+  /// The time of the last change and the size.
+  using State = std::pair<fs::file_time_type, std::uintmax_t>;
+  std::map<fs::path, State> states_;
+};
 
 /// What a change of the files led to.
 struct Round {
@@ -229,7 +274,7 @@ void watch(const WatchOptions& options, Context& context) {
   const fs::path page = options.solve.output / pageName;
   if (options.view) openInBrowser(page, context.console);
   context.console.message("the page is " + page.string() + "; waiting for changes, Ctrl-C ends");
-  while (const std::optional<fs::path> changed = solution.files().awaitChange(isStopping)) {
+  while (const std::optional<fs::path> changed = solution.files().awaitChange()) {
     followChange(solution, *changed, context);
     if (isStopping()) break;
   }

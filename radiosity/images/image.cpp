@@ -4,16 +4,53 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <limits>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 
-#include "radiosity/images/module_calls.h"
+#include "radiosity/images/image_module.h"
 #include "raster/base/file_io.h"
 #include "raster/base/input_error.h"
 #include "raster/base/memory_budget.h"
 
 namespace hemitex::radiosity {
 namespace {
+
+/// As imageFunctions. Throws InputError where the module is not found.
+const ImageFunctions& functionsFor(const std::filesystem::path& file) try {
+  return imageFunctions();
+} catch (const raster::InputError&) {
+  throw;
+} catch (const std::runtime_error& error) {
+  throw raster::InputError(file.string(), 0,
+                           std::string("needs the module for images, which cannot be opened: ") + error.what(),
+                           "install hemitex again, or build it with CMake");
+}
+
+void throwIfAny(const ImageProblem& problem, const std::filesystem::path& file) {
+  if (!problem.problem.empty()) throw raster::InputError(file.string(), 0, problem.problem, problem.advice);
+}
+
+/// Encodes in memory, so that a full disk is detected when the bytes are written, whatever the encoder does. See
+/// ImageFunctions::encode.
+std::vector<unsigned char> encode(const std::filesystem::path& file, const std::string& format,
+                                  const std::string& colourSpace, const ImageSamples& samples) {
+  std::vector<unsigned char> bytes;
+  throwIfAny(functionsFor(file).encode(format, colourSpace, samples, bytes), file);
+  return bytes;
+}
+
+void writeBytes(const std::filesystem::path& file, const std::vector<unsigned char>& bytes) {
+  raster::writeFile(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+}
+
+/// A value of an EXR file. Throws InputError for a value that 32-bit floats cannot hold.
+float floatOf(double value, const std::filesystem::path& file) {
+  if (value > std::numeric_limits<float>::max())
+    throw raster::InputError(file.string(), 0, "cannot hold a value above 3.4e38", "scale the light down");
+  return static_cast<float>(value);
+}
 
 /// In a file, and in memory.
 constexpr std::uint64_t maxPixels = std::uint64_t{1} << 28, maxKeptPixels = std::uint64_t{1} << 24;
