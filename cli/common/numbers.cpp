@@ -1,16 +1,6 @@
 #include "cli/common/numbers.h"
 
-#include <charconv>
-
 namespace hemitex::cli {
-
-std::optional<int> parseInteger(std::string_view text) {
-  int value = 0;
-  const char* const end = text.data() + text.size();
-  const auto [rest, error] = std::from_chars(text.data(), end, value);
-  if (error != std::errc{} || rest != end) return std::nullopt;
-  return value;
-}
 
 std::optional<glm::dvec3> parseVector(std::string_view text) {
   glm::dvec3 vector{0.0};

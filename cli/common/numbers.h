@@ -11,11 +11,10 @@
 
 namespace hemitex::cli {
 
+using raster::parseInteger;
 using raster::parseNumber;
 using raster::toText;
 
-/// Reads an integer in the range of int; nothing for any other text.
-std::optional<int> parseInteger(std::string_view text);
 /// Reads `x,y,z`, exactly three finite numbers; nothing for any other text.
 std::optional<glm::dvec3> parseVector(std::string_view text);
 

@@ -1,7 +1,6 @@
 #include "radiosity/meshes/legacy_vtk_file.h"
 
 #include <algorithm>
-#include <charconv>
 
 #include "radiosity/meshes/number_source.h"
 #include "radiosity/meshes/vtk_cells.h"
@@ -11,20 +10,6 @@ namespace hemitex::radiosity {
 namespace {
 
 constexpr std::uint32_t anyIndex = 0xffffffff;
-
-NumberType typeNamed(std::string_view name, const Place& place) {
-  if (name == "float") return NumberType::Float32;
-  if (name == "double") return NumberType::Float64;
-  if (name == "int") return NumberType::Int32;
-  if (name == "unsigned_int") return NumberType::Uint32;
-  if (name == "unsigned_char") return NumberType::Uint8;
-  if (name == "char") return NumberType::Int8;
-  if (name == "short") return NumberType::Int16;
-  if (name == "unsigned_short") return NumberType::Uint16;
-  if (name == "long" || name == "vtktypeint64" || name == "vtkIdType") return NumberType::Int64;
-  fail(place, "'" + raster::excerpt(name) + "' is not a type that is read",
-       "save the file with float, double, int or long");
-}
 
 /// Lists of points, one per cell.
 struct Cells {
@@ -205,11 +190,7 @@ class LegacyReader {
   }
 
   std::uint32_t number(std::string_view& words) {
-    const std::string_view word = nextWord(words).value_or("");
-    std::uint32_t result = 0;
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), result);
-    if (error != std::errc() || end != word.data() + word.size()) fail("a number is missing");
-    return result;
+    return static_cast<std::uint32_t>(takeIndex(words, anyIndex, place()));
   }
 
   NumberSource numbers(NumberType type, std::uint64_t count) {

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstring>
 
+#include "raster/base/input_error.h"
+
 namespace hemitex::radiosity {
 namespace {
 
@@ -19,6 +21,26 @@ double numberOf(std::array<char, 8> bytes, std::size_t size) {
 const std::string giveWhole = "give the whole file";
 
 }  // namespace
+
+NumberType typeNamed(std::string_view name, const Place& place) {
+  // The names of each type, in the order of NumberType, each between blanks.
+  constexpr std::array<std::string_view, 10> names{" Int8 int8 char ",
+                                                   " UInt8 uint8 uchar unsigned_char ",
+                                                   " Int16 int16 short ",
+                                                   " UInt16 uint16 ushort unsigned_short ",
+                                                   " Int32 int32 int ",
+                                                   " UInt32 uint32 uint unsigned_int ",
+                                                   " Int64 long vtktypeint64 vtkIdType ",
+                                                   " UInt64 ",
+                                                   " Float32 float32 float ",
+                                                   " Float64 float64 double "};
+  const std::string word = " " + std::string(name) + " ";
+  const auto found = std::find_if(names.begin(), names.end(),
+                                  [&](std::string_view list) { return list.find(word) != std::string_view::npos; });
+  if (found == names.end() || name.find(' ') != name.npos)
+    fail(place, "'" + raster::excerpt(name) + "' is not a type of numbers that is read");
+  return static_cast<NumberType>(found - names.begin());
+}
 
 std::size_t bytesOf(NumberType type) {
   constexpr std::array<std::size_t, 10> sizes{1, 1, 2, 2, 4, 4, 8, 8, 4, 8};

@@ -6,11 +6,14 @@
 #include <string>
 #include <string_view>
 
-#include "radiosity/meshes/text_lines.h"
+#include "radiosity/base/text_lines.h"
 
 namespace hemitex::radiosity {
 
 enum class NumberType { Int8, Uint8, Int16, Uint16, Int32, Uint32, Int64, Uint64, Float32, Float64 };
+/// The type that a format names, such as `uchar` in PLY, `unsigned_char` in VTK's legacy files and `UInt8` in its XML.
+/// Throws InputError for other names.
+NumberType typeNamed(std::string_view name, const Place& place);
 /// The size of a number in binary files.
 std::size_t bytesOf(NumberType type);
 

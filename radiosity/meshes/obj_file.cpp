@@ -4,14 +4,14 @@
 #include <array>
 #include <boost/algorithm/string/classification.hpp>
 #include <boost/algorithm/string/trim_all.hpp>
-#include <charconv>
 #include <cmath>
 #include <map>
 #include <utility>
 
-#include "radiosity/meshes/text_lines.h"
+#include "radiosity/base/text_lines.h"
 #include "raster/base/file_io.h"
 #include "raster/base/input_error.h"
+#include "raster/base/short_number.h"
 
 namespace hemitex::radiosity {
 namespace {
@@ -94,13 +94,10 @@ class NumberReader {
 
   /// The index of a word as written, not 0.
   static int readIndex(std::string_view word, const Place& place) {
-    int index = 0;
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), index);
-    if (error != std::errc() || end != word.data() + word.size()) {
-      fail(place, "'" + raster::excerpt(word) + "' is not an index");
-    }
-    if (index == 0) fail(place, "index 0 in a face", "indices count from 1");
-    return index;
+    const std::optional<int> index = raster::parseInteger(word);
+    if (!index) fail(place, "'" + raster::excerpt(word) + "' is not an index");
+    if (*index == 0) fail(place, "index 0 in a face", "indices count from 1");
+    return *index;
   }
 
   /// The index of a word, counted from 0. Positive numbers count from 1, negative numbers back from the last vertex so

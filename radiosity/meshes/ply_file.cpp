@@ -1,8 +1,6 @@
 #include "radiosity/meshes/ply_file.h"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <vector>
 
 #include "radiosity/meshes/number_source.h"
@@ -31,42 +29,12 @@ struct Header {
   int bodyLine = 0;
 };
 
-NumberType typeNamed(std::string_view name, const Place& place) {
-  constexpr std::array<std::pair<std::string_view, NumberType>, 16> types{{{"char", NumberType::Int8},
-                                                                           {"int8", NumberType::Int8},
-                                                                           {"uchar", NumberType::Uint8},
-                                                                           {"uint8", NumberType::Uint8},
-                                                                           {"short", NumberType::Int16},
-                                                                           {"int16", NumberType::Int16},
-                                                                           {"ushort", NumberType::Uint16},
-                                                                           {"uint16", NumberType::Uint16},
-                                                                           {"int", NumberType::Int32},
-                                                                           {"int32", NumberType::Int32},
-                                                                           {"uint", NumberType::Uint32},
-                                                                           {"uint32", NumberType::Uint32},
-                                                                           {"float", NumberType::Float32},
-                                                                           {"float32", NumberType::Float32},
-                                                                           {"double", NumberType::Float64},
-                                                                           {"float64", NumberType::Float64}}};
-  const auto found = std::find_if(types.begin(), types.end(), [name](const auto& type) { return type.first == name; });
-  if (found == types.end()) fail(place, "'" + raster::excerpt(name) + "' is not the type of a property");
-  return found->second;
-}
-
 NumberEncoding encodingNamed(std::string_view name, const Place& place) {
   if (name == "ascii") return NumberEncoding::Text;
   if (name == "binary_little_endian") return NumberEncoding::LittleEndian;
   if (name == "binary_big_endian") return NumberEncoding::BigEndian;
   fail(place, "'" + raster::excerpt(name) + "' is no format of a PLY file",
        "it is ascii, binary_little_endian or binary_big_endian");
-}
-
-std::uint32_t countOf(std::string_view word, const Place& place) {
-  std::uint32_t count = 0;
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), count);
-  if (error != std::errc() || end != word.data() + word.size())
-    fail(place, "'" + raster::excerpt(word) + "' is no number of elements");
-  return count;
 }
 
 Header parseHeader(std::string_view bytes, const std::filesystem::path& file) {
@@ -87,8 +55,8 @@ Header parseHeader(std::string_view bytes, const std::filesystem::path& file) {
     if (keyword == "end_header") break;
     if (keyword == "format") header.encoding = encodingNamed(word(), place);
     if (keyword == "element") {
-      const std::string_view name = word();
-      header.elements.push_back({std::string(name), countOf(word(), place)});
+      const std::string name(word());
+      header.elements.push_back({name, static_cast<std::uint32_t>(takeIndex(rest, 0xffffffff, place))});
     }
     if (keyword == "property") {
       if (header.elements.empty()) fail(place, "a property stands before the first element");

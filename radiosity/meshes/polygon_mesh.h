@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "radiosity/base/text_lines.h"
 #include "radiosity/meshes/scene_object.h"
-#include "radiosity/meshes/text_lines.h"
 
 namespace hemitex::radiosity {
 

@@ -67,10 +67,9 @@ PolygonMesh parseText(std::string_view text, const std::filesystem::path& file) 
   std::size_t firstVertex = 0;  // of the facet
   glm::dvec3 normal(0.0);
   LineReader lines(text, file);
-  int last = 0;
   bool isOpen = false, isFacet = false;
   while (const auto line = lines.next()) {
-    const Place place{file, last = line->number};
+    const Place place = lines.place();
     const std::string keyword = lower(line->keyword);
     if (keyword == "solid" && !isOpen) {
       mesh.sections.push_back({static_cast<std::uint32_t>(mesh.objects.size()), ""});
@@ -94,7 +93,7 @@ PolygonMesh parseText(std::string_view text, const std::filesystem::path& file) 
            "give a text or binary STL file");
     }
   }
-  if (isOpen || mesh.sections.empty()) fail({file, last}, "the STL file ends without endsolid", "give the whole file");
+  if (isOpen || mesh.sections.empty()) fail(lines.place(), "the STL file ends without endsolid", "give the whole file");
   warnOfNormals(mesh, contradicted);
   return mesh;
 }

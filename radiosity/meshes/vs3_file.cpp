@@ -59,18 +59,8 @@ class Vs3Reader {
   }
 
  private:
-  /// The next word, an integer from 0 to `most`.
-  std::uint32_t index(std::string_view& rest, std::size_t most, const Place& place) {
-    const auto word = nextWord(rest);
-    std::array<double, 1> number{-1};
-    if (word) readNumbers(*word, number, place);
-    if (!(number[0] >= 0 && number[0] <= static_cast<double>(most)) ||
-        number[0] != static_cast<std::uint32_t>(number[0]))
-      fail(place, "an integer from 0 to " + std::to_string(most) + " is missing");
-    return static_cast<std::uint32_t>(number[0]);
-  }
   void requireNext(std::string_view& rest, std::size_t count, const char* what, const Place& place) {
-    if (index(rest, 0xffffffff, place) != count + 1)
+    if (takeIndex(rest, 0xffffffff, place) != count + 1)
       fail(place, std::string("the number of the ") + what + " should be " + std::to_string(count + 1));
   }
 
@@ -85,16 +75,16 @@ class Vs3Reader {
     requireNext(rest, mesh_.polygons.size(), "surface", place);
     std::vector<std::uint32_t> corners;
     for (int corner = 0; corner < 4; ++corner) {
-      const std::uint32_t vertex = index(rest, mesh_.positions.size(), place);
+      const auto vertex = static_cast<std::uint32_t>(takeIndex(rest, mesh_.positions.size(), place));
       if (vertex == 0 && corner < 3) fail(place, "vertices count from 1");
       if (vertex > 0) corners.push_back(vertex - 1);
     }
     std::string name = "obstruction";
     double reflectance = 0;
     if (radiates) {
-      if (index(rest, 0xffffffff, place) != 0)
+      if (takeIndex(rest, 0xffffffff, place) != 0)
         fail(place, "a surface inside of another is not read", "divide the other one into surfaces beside it");
-      if (index(rest, 0xffffffff, place) != 0) ++combined_;
+      if (takeIndex(rest, 0xffffffff, place) != 0) ++combined_;
       std::array<double, 1> emittance{1};
       if (const auto word = nextWord(rest)) readNumbers(*word, emittance, place);
       if (!(emittance[0] >= 0 && emittance[0] <= 1)) fail(place, "an emittance is from 0 to 1");

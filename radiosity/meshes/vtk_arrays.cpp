@@ -3,29 +3,12 @@
 #include <zlib.h>
 
 #include <algorithm>
-#include <array>
 
 #include "raster/base/input_error.h"
 #include "raster/base/memory_budget.h"
 
 namespace hemitex::radiosity {
 namespace {
-
-NumberType typeNamed(std::string_view name, const Place& place) {
-  constexpr std::array<std::pair<std::string_view, NumberType>, 10> types{{{"Int8", NumberType::Int8},
-                                                                           {"UInt8", NumberType::Uint8},
-                                                                           {"Int16", NumberType::Int16},
-                                                                           {"UInt16", NumberType::Uint16},
-                                                                           {"Int32", NumberType::Int32},
-                                                                           {"UInt32", NumberType::Uint32},
-                                                                           {"Int64", NumberType::Int64},
-                                                                           {"UInt64", NumberType::Uint64},
-                                                                           {"Float32", NumberType::Float32},
-                                                                           {"Float64", NumberType::Float64}}};
-  const auto found = std::find_if(types.begin(), types.end(), [name](const auto& type) { return type.first == name; });
-  if (found == types.end()) fail(place, "'" + raster::excerpt(name) + "' is not the type of an array");
-  return found->second;
-}
 
 /// The value of a base64 digit; negative for other characters.
 int digitOf(char c) {

@@ -12,12 +12,12 @@
 #include <string_view>
 #include <utility>
 
+#include "radiosity/base/text_lines.h"
 #include "radiosity/base/unique_names.h"
 #include "radiosity/meshes/legacy_vtk_file.h"
 #include "radiosity/meshes/obj_file.h"
 #include "radiosity/meshes/ply_file.h"
 #include "radiosity/meshes/stl_file.h"
-#include "radiosity/meshes/text_lines.h"
 #include "radiosity/meshes/vs3_file.h"
 #include "radiosity/meshes/vtk_xml_file.h"
 #include "radiosity/scene/face_materials.h"

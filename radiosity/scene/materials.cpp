@@ -6,7 +6,7 @@
 #include <optional>
 #include <utility>
 
-#include "radiosity/meshes/text_lines.h"
+#include "radiosity/base/text_lines.h"
 #include "radiosity/scene/mtl_file.h"
 #include "radiosity/spectra/colour.h"
 #include "raster/base/file_io.h"

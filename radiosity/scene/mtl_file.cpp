@@ -5,11 +5,8 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
-#include <limits>
-#include <system_error>
 
-#include "radiosity/meshes/text_lines.h"
+#include "radiosity/base/text_lines.h"
 #include "raster/base/file_io.h"
 #include "raster/base/input_error.h"
 
@@ -33,15 +30,6 @@ glm::dvec3 readEmission(const TextLine& line, const Place& place, EmissionUnit u
   return emission;
 }
 
-/// The number of a word, which may be infinite; nothing for a word that is no number.
-std::optional<double> wordAsNumber(std::string_view word) {
-  if (word.starts_with('+') && !word.starts_with("+-")) word.remove_prefix(1);  // from_chars accepts no plus sign
-  double number = 0;
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
-  if (end != word.data() + word.size() || error == std::errc::invalid_argument) return std::nullopt;
-  return error == std::errc() ? number : std::numeric_limits<double>::infinity();
-}
-
 /// The statement of a line such as `Kd spectral FILE.rfl FACTOR`; nothing for other lines. File names may have blanks.
 std::optional<SpectrumStatement> readSpectrumStatement(const TextLine& line, const Place& place) {
   std::string_view rest = line.rest;
@@ -52,7 +40,7 @@ std::optional<SpectrumStatement> readSpectrumStatement(const TextLine& line, con
   const std::string keyword(line.keyword);
   if (words.empty()) fail(place, keyword + " spectral names no file", "write " + keyword + " spectral FILE.rfl FACTOR");
   SpectrumStatement statement{{}, 1, place.line};
-  const std::optional<double> factor = words.size() > 1 ? wordAsNumber(words.back()) : std::nullopt;
+  const std::optional<double> factor = words.size() > 1 ? numberOf(words.back()) : std::nullopt;
   statement.factor = factor.value_or(1);
   if (!(statement.factor >= 0 && statement.factor <= largestEmission))
     fail(place, "the factor of " + keyword + " spectral is not between 0 and 1e30");
@@ -73,7 +61,7 @@ MapStatement readMap(const TextLine& line) {
 /// The first number of a statement that has no effect on light here; nothing if it has none.
 std::optional<double> tolerantNumber(const TextLine& line) {
   std::string_view rest = line.rest;
-  return wordAsNumber(nextWord(rest).value_or(std::string_view()));
+  return numberOf(nextWord(rest).value_or(std::string_view()));
 }
 
 }  // namespace

@@ -8,9 +8,9 @@
 #include <string>
 #include <utility>
 
+#include "radiosity/base/text_lines.h"
 #include "radiosity/geometry/chart_validation.h"
 #include "radiosity/geometry/mesh_charts.h"
-#include "radiosity/meshes/text_lines.h"
 
 namespace hemitex::radiosity {
 namespace {

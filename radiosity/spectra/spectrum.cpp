@@ -4,7 +4,7 @@
 #include <array>
 #include <string>
 
-#include "radiosity/meshes/text_lines.h"
+#include "radiosity/base/text_lines.h"
 #include "raster/base/input_error.h"
 
 namespace hemitex::radiosity {
@@ -23,9 +23,8 @@ Spectrum parseSpectrum(std::string_view text, const std::filesystem::path& file)
   LineReader lines(text, file);
   while (const std::optional<TextLine> line = lines.next()) {
     const Place place{file, line->number};
-    const std::string words = std::string(line->keyword) + ' ' + std::string(line->rest);
     std::array<double, 2> point{};
-    if (readNumbers(words, point, place) != 2) fail(place, "a line has a wavelength in nm and a value");
+    if (readNumbers(line->text, point, place) != 2) fail(place, "a line has a wavelength in nm and a value");
     const auto [wavelength, value] = point;
     if (wavelength <= 0) fail(place, "the wavelength is not above 0", "give wavelengths in nm");
     if (!spectrum.wavelengths.empty() && wavelength <= spectrum.wavelengths.back())

@@ -285,7 +285,7 @@ TEST_CASE("loadScene tells what a file of a mesh has that is not read", "[meshes
            {"a.stl", "PK\x03\x04", "is no STL file"},
            {"a.ply", "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nend_header\n1\n", "cloud of points"},
            {"a.ply", "ply\nformat text 1.0\n", ":2: 'text' is no format"},
-           {"a.ply", "ply\nformat ascii 1.0\nelement vertex x\n", ":3: 'x' is no number of elements"},
+           {"a.ply", "ply\nformat ascii 1.0\nelement vertex x\n", ":3: 'x' is not an integer from 0 to 4294967295"},
            {"a.ply",
             "ply\nformat ascii 1.0\nelement face 1\nproperty list char int vertex_index\nend_header\n3 0 1 2\n",
             ":6: a face names the vertex 0"},
@@ -302,7 +302,7 @@ TEST_CASE("loadScene tells what a file of a mesh has that is not read", "[meshes
             "volume cells"},
            {"a.vs3", "F 3a\n", ":1: only the format 3"},
            {"a.vs3", "F 3\nV 2 0 0 0\n", ":2: the number of the vertex should be 1"},
-           {"a.vs3", "F 3\nV 1 0 0 0\nS 1 1 1 2 0 0 0 .5 a\n", ":3: an integer from 0 to 1 is missing"},
+           {"a.vs3", "F 3\nV 1 0 0 0\nS 1 1 1 2 0 0 0 .5 a\n", ":3: '2' is not an integer from 0 to 1"},
            {"a.vs3", view3d.substr(0, view3d.find("O 3")) + "S 3 5 6 2 1 1 0 .5 window\n", "inside of another"},
            {"a.msh", "", "is a Gmsh mesh"},
            {"a.obj", "ply\n", "is a PLY mesh, not OBJ or glTF; give it a name that ends in .ply"}}) {

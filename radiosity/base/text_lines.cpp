@@ -1,11 +1,13 @@
-#include "radiosity/meshes/text_lines.h"
+#include "radiosity/base/text_lines.h"
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <limits>
 #include <system_error>
 
 #include "raster/base/input_error.h"
+#include "raster/base/short_number.h"
 
 namespace hemitex::radiosity {
 namespace {
@@ -39,15 +41,13 @@ std::string_view takeLine(std::string_view& text) {
 }
 
 double readNumber(std::string_view word, const Place& place) {
-  std::string_view digits = word;
-  if (digits.starts_with('+') && !digits.starts_with("+-")) digits.remove_prefix(1);  // from_chars accepts no plus sign
-  double number = 0;
-  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
-  const auto refuse = [&](const char* why) { fail(place, "'" + raster::excerpt(word) + "' " + why); };
-  if (error == std::errc::invalid_argument || end != digits.data() + digits.size()) refuse("is not a number");
-  if (error == std::errc::result_out_of_range) refuse("is outside the range of binary64");
-  if (!std::isfinite(number)) refuse("is not a finite number");
-  return number + 0.0;  // turns -0 into 0, so that equal numbers have equal bits
+  const std::optional<double> number = numberOf(word);
+  if (number && std::isfinite(*number)) return *number + 0.0;         // turns -0 into 0: equal numbers have equal bits
+  const bool isName = word.find_first_of("0123456789") == word.npos;  // such as inf
+  fail(place, "'" + raster::excerpt(word) + "' is " +
+                  (!number  ? "not a number"
+                   : isName ? "not a finite number"
+                            : "outside the range of binary64"));
 }
 
 }  // namespace
@@ -65,8 +65,9 @@ std::optional<TextLine> LineReader::next() {
     if (line.find('\0') != std::string_view::npos)
       fail({file_, number_}, "the line has a NUL byte", "save the file as text in ASCII or UTF-8");
     const std::size_t keywordLength = std::min(line.find_first_of(blanks), line.size());
-    return TextLine{number_, line.substr(0, keywordLength), trim(line.substr(keywordLength))};
+    return TextLine{number_, line, line.substr(0, keywordLength), trim(line.substr(keywordLength))};
   }
+  ++number_;
   return std::nullopt;
 }
 
@@ -76,6 +77,26 @@ std::optional<std::string_view> nextWord(std::string_view& rest) {
   const std::string_view word = rest.substr(0, rest.find_first_of(blanks));
   rest.remove_prefix(word.size());
   return word;
+}
+
+std::optional<double> numberOf(std::string_view word) {
+  if (word.starts_with('+') && !word.starts_with("+-")) word.remove_prefix(1);  // from_chars accepts no plus sign
+  double number = 0;
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
+  if (error == std::errc::invalid_argument || end != word.data() + word.size()) return std::nullopt;
+  if (error == std::errc()) return number;
+  const bool isSmall = word.find('-', 1) != word.npos;  // a minus sign of the exponent
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  return isSmall ? 0 : word.front() == '-' ? -infinity : infinity;
+}
+
+std::uint64_t takeIndex(std::string_view& rest, std::uint64_t most, const Place& place) {
+  const auto word = nextWord(rest);
+  if (!word) fail(place, "an integer from 0 to " + std::to_string(most) + " is missing");
+  const auto index = raster::parseInteger<std::uint64_t>(*word);
+  if (!index || *index > most)
+    fail(place, "'" + raster::excerpt(*word) + "' is not an integer from 0 to " + std::to_string(most));
+  return *index;
 }
 
 std::size_t readNumbers(std::string_view rest, std::span<double> numbers, const Place& place) {
