@@ -6,19 +6,6 @@
 #include "raster/base/input_error.h"
 
 namespace hemitex::cli {
-namespace {
-
-/// The entries of a row as one value per facet.
-template <typename Entry>
-radiosity::FaceArray valuesOf(const std::string& name, const std::vector<std::uint32_t>& column,
-                              const std::vector<Entry>& entries, std::size_t facets) {
-  radiosity::FaceArray array{name, 1, std::vector<double>(facets, 0.0)};
-  for (std::size_t k = 0; k < entries.size(); ++k)
-    if (column[k] < facets) array.values[column[k]] = static_cast<double>(entries[k]);
-  return array;
-}
-
-}  // namespace
 
 FacetValues::FacetValues(std::size_t facets, const std::vector<int>& chosen)
     : facets_(facets), chosen_(chosen), rows_(chosen.size()) {
@@ -30,10 +17,7 @@ FacetValues::FacetValues(std::size_t facets, const std::vector<int>& chosen)
 
 void FacetValues::take(const reference::SparseRow& row, double error) {
   for (std::size_t c = 0; c < chosen_.size(); ++c)
-    if (static_cast<std::size_t>(chosen_[c]) == sum_.values.size())
-      rows_[c] = {{row.column.begin(), row.column.end()},
-                  {row.value.begin(), row.value.end()},
-                  {row.error.begin(), row.error.end()}};
+    if (static_cast<std::size_t>(chosen_[c]) == sum_.values.size()) rows_[c] = row;
   double sum = 0, surroundings = 0, backs = 0;
   for (std::size_t k = 0; k < row.column.size(); ++k)
     (row.column[k] < facets_ ? sum : row.column[k] == facets_ ? surroundings : backs) += row.value[k];
@@ -48,9 +32,9 @@ std::vector<radiosity::FaceArray> FacetValues::arrays() const {
   if (std::any_of(error_.values.begin(), error_.values.end(), [](double e) { return e > 0; })) arrays.push_back(error_);
   for (std::size_t c = 0; c < chosen_.size(); ++c) {
     const std::string facet = std::to_string(chosen_[c]);
-    arrays.push_back(valuesOf("form_factor_from_" + facet, rows_[c].column, rows_[c].value, facets_));
-    if (!rows_[c].error.empty())
-      arrays.push_back(valuesOf("standard_error_from_" + facet, rows_[c].column, rows_[c].error, facets_));
+    const reference::SparseRow& row = rows_[c];
+    arrays.push_back({"form_factor_from_" + facet, 1, row.spread(row.value, facets_)});
+    if (!row.error.empty()) arrays.push_back({"standard_error_from_" + facet, 1, row.spread(row.error, facets_)});
   }
   return arrays;
 }

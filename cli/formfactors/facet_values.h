@@ -2,11 +2,10 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <vector>
 
 #include "radiosity/meshes/polygon_mesh.h"
-#include "reference/matrices/sparse_matrix.h"
+#include "reference/rows/sparse_row.h"
 
 namespace hemitex::cli {
 
@@ -24,16 +23,10 @@ class FacetValues {
   std::vector<radiosity::FaceArray> arrays() const;
 
  private:
-  struct Kept {
-    std::vector<std::uint32_t> column = {};
-    std::vector<double> value = {};
-    std::vector<float> error = {};
-  };
-
   std::size_t facets_;
   radiosity::FaceArray sum_{"row_sum"}, surroundings_{"surroundings"}, backs_{"backs"}, error_{"error"};
   std::vector<int> chosen_;
-  std::vector<Kept> rows_;  ///< of the chosen facets
+  std::vector<reference::SparseRow> rows_;  ///< of the chosen facets
 };
 
 }  // namespace hemitex::cli

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <iostream>
 #include <limits>
+#include <map>
 #include <memory>
 #include <optional>
 #include <set>
@@ -37,9 +38,10 @@ namespace hemitex::cli {
 namespace {
 
 using radiosity::Families;
-using reference::Row;
+using reference::OutsideShares;
 using reference::RowMethod;
 using reference::RowReceivers;
+using reference::SparseRow;
 
 struct FormFactorOptions {
   SceneOptions scene;
@@ -98,24 +100,24 @@ nlohmann::ordered_json settingsOf(const FormFactorOptions& options) {
 
 /// A table with one line per row and receiver: cells that name them, the form factor, and its standard error if there
 /// is one.
-Table tableOf(const std::vector<Row>& rows, std::size_t receivers, std::vector<std::string> columns,
+Table tableOf(const std::vector<SparseRow>& rows, std::size_t receivers, std::vector<std::string> columns,
               const std::function<std::vector<Cell>(std::size_t)>& names) {
-  const bool hasErrors = !rows.front().standardError.empty();
+  const bool hasErrors = !rows.front().error.empty();
   columns.emplace_back("form_factor");
   if (hasErrors) columns.emplace_back("standard_error");
   const auto cells = [&rows, names, receivers, hasErrors](std::size_t index) {
-    const Row& row = rows[index / receivers];
-    const std::optional<std::size_t> entry = reference::entryOf(row, index % receivers);
+    const SparseRow& row = rows[index / receivers];
+    const std::optional<std::size_t> entry = row.placeOf(index % receivers);
     std::vector<Cell> line = names(index);
-    line.emplace_back(entry ? row.formFactor[*entry] : 0.0);
-    if (hasErrors) line.emplace_back(entry ? row.standardError[*entry] : 0.0);
+    line.emplace_back(entry ? row.value[*entry] : 0.0);
+    if (hasErrors) line.emplace_back(entry ? row.error[*entry] : 0.0);
     return line;
   };
   return {columns, rows.size() * receivers, cells};
 }
 
 /// The table of the only row.
-Table tableOf(const std::vector<Row>& rows, const radiosity::Scene& scene,
+Table tableOf(const std::vector<SparseRow>& rows, const radiosity::Scene& scene,
               const radiosity::Discretization& discretization) {
   return tableOf(rows, discretization.elements.size(), {"surface", "column", "row", "area"},
                  [&](std::size_t index) -> std::vector<Cell> {
@@ -126,9 +128,9 @@ Table tableOf(const std::vector<Row>& rows, const radiosity::Scene& scene,
                  });
 }
 
-void tellCaptured(const Row& row, Console& console) {
-  if (row.captured && *row.captured < 1)
-    console.message("the projection captures " + percentText(*row.captured) +
+void tellCaptured(const RowMethod& method, Console& console) {
+  if (method.captured && *method.captured < 1)
+    console.message("the projection captures " + percentText(*method.captured) +
                     " of the light; the rest counts as leaving the scene");
 }
 
@@ -138,14 +140,15 @@ void printRow(const FormFactorOptions& options, Context& context, const radiosit
   const Families families = radiosity::familiesOf(scene);
   const RowReceivers receivers = options.bySurface ? reference::familiesAsReceivers(scene, discretization, families)
                                                    : reference::elementsAsReceivers(discretization);
-  const std::vector<Row> rows{methodOf(options, scene, discretization, receivers, context)(source)};
-  const Row& row = rows.front();
-  tellCaptured(row, context.console);
+  const RowMethod method = methodOf(options, scene, discretization, receivers, context);
+  std::vector<SparseRow> rows{method.row(source)};
+  const OutsideShares outside = rows.front().takeOutside(receivers.area.size());
+  tellCaptured(method, context.console);
   context.console.message("from " + options.from + ": " +
-                          (row.background
-                               ? "the share of the light that leaves the scene is " + roundedText(*row.background) +
-                                     "; the share that meets backs of faces is " + roundedText(*row.back)
-                               : blockersIgnored));
+                          (outside.backs ? "the share of the light that leaves the scene is " +
+                                               roundedText(*outside.surroundings) +
+                                               "; the share that meets backs of faces is " + roundedText(*outside.backs)
+                                         : blockersIgnored));
   const auto names = [&](std::size_t family) -> std::vector<Cell> {
     return {families.names[family], receivers.area[family]};
   };
@@ -155,49 +158,44 @@ void printRow(const FormFactorOptions& options, Context& context, const radiosit
   nlohmann::ordered_json result{{"from", options.from}};
   result.update(settingsOf(options));
   result.update({{"row", toJson(table)}});
-  if (row.background) result.update({{"background", *row.background}, {"back", *row.back}});
-  if (row.captured) result["captured"] = *row.captured;
+  if (outside.backs) result.update({{"background", *outside.surroundings}, {"back", *outside.backs}});
+  if (method.captured) result["captured"] = *method.captured;
   std::cout << toText(result);
 }
 
-reference::FormFactorMatrix factorsOf(const std::vector<Row>& matrix) {
-  reference::FormFactorMatrix factors{matrix.size(), std::vector<double>(matrix.size() * matrix.size(), 0.0)};
-  for (std::size_t i = 0; i < matrix.size(); ++i)
-    for (std::size_t k = 0; k < matrix[i].receiver.size(); ++k)
-      factors.factors[i * matrix.size() + matrix[i].receiver[k]] = matrix[i].formFactor[k];
+reference::FormFactorMatrix factorsOf(const std::vector<SparseRow>& matrix) {
+  reference::FormFactorMatrix factors{matrix.size(), {}};
+  for (const SparseRow& row : matrix) {
+    const std::vector<double> values = row.spread(row.value, matrix.size());
+    factors.factors.insert(factors.factors.end(), values.begin(), values.end());
+  }
   return factors;
 }
 
 /// Smooths the rows of a matrix.
-reference::SmoothingMoves smooth(std::vector<Row>& matrix, const RowReceivers& receivers) {
+reference::SmoothingMoves smooth(std::vector<SparseRow>& matrix, const RowReceivers& receivers) {
   reference::MatrixSmoother smoother(receivers.area);
-  for (const Row& row : matrix) {
-    const std::vector<float> errors(row.standardError.begin(), row.standardError.end());
-    smoother.add({row.receiver, row.formFactor, errors});
-  }
+  for (const SparseRow& row : matrix) smoother.add(row);
   const reference::SmoothingMoves moves = smoother.smooth();
   std::size_t next = 0;
-  smoother.forEachRow([&](const reference::SparseRow& smoothed) {
-    Row& row = matrix[next++];
-    row.receiver.assign(smoothed.column.begin(), smoothed.column.end());
-    row.formFactor.assign(smoothed.value.begin(), smoothed.value.end());
-    row.standardError.assign(smoothed.error.begin(), smoothed.error.end());
-  });
+  smoother.forEachRow([&](SparseRow row) { matrix[next++] = std::move(row); });
   return moves;
 }
 
-void tellChecks(const std::vector<Row>& matrix, const reference::MatrixChecks& checks, const Families& families,
-                Console& console) {
-  const auto most = [&](std::optional<double> Row::*share) {
+void tellChecks(const std::vector<OutsideShares>& outside, const reference::MatrixChecks& checks,
+                const Families& families, Console& console) {
+  const auto most = [&](std::optional<double> OutsideShares::*share) {
     const auto row =
-        std::max_element(matrix.begin(), matrix.end(), [&](const Row& a, const Row& b) { return a.*share < b.*share; });
-    return roundedText(*((*row).*share)) + " (from " + families.names[static_cast<std::size_t>(row - matrix.begin())] +
+        std::max_element(outside.begin(), outside.end(),
+                         [&](const OutsideShares& a, const OutsideShares& b) { return a.*share < b.*share; });
+    return roundedText(*((*row).*share)) + " (from " + families.names[static_cast<std::size_t>(row - outside.begin())] +
            ")";
   };
   console.message("rows sum to " + roundedText(checks.smallestRowSum) + " ... " + roundedText(checks.largestRowSum));
-  console.message(matrix.front().background
-                      ? "the share of the light that leaves the scene is at most " + most(&Row::background) +
-                            "; the share that meets backs of faces is at most " + most(&Row::back)
+  console.message(outside.front().backs
+                      ? "the share of the light that leaves the scene is at most " +
+                            most(&OutsideShares::surroundings) + "; the share that meets backs of faces is at most " +
+                            most(&OutsideShares::backs)
                       : blockersIgnored);
   console.message("reciprocity is missed by at most " + percentText(checks.reciprocity) +
                   " of the flux of the smaller surface (" + families.names[checks.from] + " and " +
@@ -222,7 +220,7 @@ std::unique_ptr<RowFile> rowFileOf(const FormFactorOptions& options, Context& co
 }
 
 /// Gives the rows that an earlier run left to `take`.
-void goOn(RowFile& file, std::size_t receivers, Console& console, const std::function<void(Row row)>& take) {
+void goOn(RowFile& file, std::size_t receivers, Console& console, const std::function<void(SparseRow row)>& take) {
   const bool wasDamaged = file.replay(receivers, take);
   if (wasDamaged)
     console.warning("row " + std::to_string(file.rows()) +
@@ -231,17 +229,24 @@ void goOn(RowFile& file, std::size_t receivers, Console& console, const std::fun
     console.message("goes on after " + std::to_string(file.rows()) + " rows that an earlier run left");
 }
 
-/// Gives all rows to `take`, in order, on the rank that writes; the ranks of a parallel run share the work.
-void forEachRow(const RowMethod& rowFrom, const Families& families, RowFile* file, Context& context,
-                const std::function<void(Row row)>& take) {
+/// Gives all rows to `take`, in order, on the rank that writes; the ranks of a parallel run share the work. Only rows
+/// of other ranks come as text.
+void forEachRow(const RowMethod& method, const Families& families, RowFile* file, Context& context,
+                const std::function<void(SparseRow row)>& take) {
   const std::size_t count = families.names.size();
   if (file) goOn(*file, count, context.console, take);
+  std::map<std::size_t, SparseRow> own;
   const auto compute = [&](std::size_t from) {
-    return lineOf(families.surfaces[from].empty() ? Row() : rowFrom({families.surfaces[from]}));
+    SparseRow row = families.surfaces[from].empty() ? SparseRow() : method.row({families.surfaces[from]});
+    if (!context.isWriter()) return lineOf(row);
+    own[from] = std::move(row);
+    return std::string();
   };
   const auto keep = [&](std::size_t from, const std::string& line) {
-    take(*rowOf(line));
-    if (file) file->append(line);
+    SparseRow row = line.empty() ? std::move(own[from]) : *rowOf(line);
+    own.erase(from);
+    if (file) file->append(row);
+    take(std::move(row));
     context.console.progress(static_cast<double>(from + 1) / static_cast<double>(count), families.names[from]);
   };
   radiosity::run(context.ranks.get(),
@@ -260,28 +265,11 @@ reference::MatrixHeading headingOf(const Families& families, const RowReceivers&
   return heading;
 }
 
-/// A row of a matrix, with the columns `surroundings` and `backs` behind those of the receivers.
-struct MatrixRow {
-  std::vector<std::uint32_t> column;
-  std::vector<double> value;
-  std::vector<float> error;
-
-  MatrixRow(const Row& row, const reference::MatrixHeading& heading)
-      : column(row.receiver), value(row.formFactor), error(row.standardError.begin(), row.standardError.end()) {
-    const auto facets = static_cast<std::uint32_t>(heading.facets());
-    column.insert(column.end(), {facets, facets + 1});
-    value.insert(value.end(), {row.background.value_or(0), row.back.value_or(0)});
-    if (heading.hasErrors)
-      error.insert(error.end(), {static_cast<float>(row.backgroundError), static_cast<float>(row.backError)});
-  }
-  reference::SparseRow span() const { return {column, value, error}; }
-};
-
 /// The sum of the errors of the facets of a row.
-double errorOf(const reference::SparseRow& row, std::size_t facets) {
+double errorOf(const SparseRow& row, std::size_t facets) {
   double sum = 0;
   for (std::size_t k = 0; k < row.error.size(); ++k)
-    if (row.column[k] < facets) sum += static_cast<double>(row.error[k]);
+    if (row.column[k] < facets) sum += row.error[k];
   return sum;
 }
 
@@ -289,30 +277,30 @@ double errorOf(const reference::SparseRow& row, std::size_t facets) {
 class MatrixOutput {
  public:
   /// `watch` is called with each row that is written and the estimate of its error, 0 if there is none.
-  using Watch = std::function<void(const reference::SparseRow& row, double error)>;
+  using Watch = std::function<void(const SparseRow& row, double error)>;
 
   MatrixOutput(const std::filesystem::path& file, const reference::MatrixHeading& heading, bool isSmooth, Watch watch)
-      : heading_(heading), writer_(file, heading), watch_(std::move(watch)) {
+      : heading_(heading), writer_(reference::matrixSink(file, heading)), watch_(std::move(watch)) {
     if (isSmooth) smoother_.emplace(heading.area);
   }
 
-  void take(const Row& row) {
-    const MatrixRow complete(row, heading_);
-    measured_.push_back({row.error.value_or(0), errorOf(complete.span(), heading_.facets())});
-    hasRowErrors_ = hasRowErrors_ || row.error;
+  void take(SparseRow row) {
+    for (double& error : row.error) error = reference::asStored(error);
+    measured_.push_back({row.rowError.value_or(0), errorOf(row, heading_.facets())});
+    hasRowErrors_ = hasRowErrors_ || row.rowError;
     if (smoother_)
-      smoother_->add(complete.span());
+      smoother_->add(row);
     else
-      write(complete.span());
+      write(row);
   }
   /// To be called after the last row. Returns how far form factors moved, if they were smoothed.
   std::optional<reference::SmoothingMoves> finish() {
     std::optional<reference::SmoothingMoves> moves;
     if (smoother_) {
       moves = smoother_->smooth();
-      smoother_->forEachRow([this](const reference::SparseRow& row) { write(row); });
+      smoother_->forEachRow([this](const SparseRow& row) { write(row); });
     }
-    writer_.finish();
+    writer_->finish();
     return moves;
   }
   nlohmann::ordered_json toJson() const {
@@ -322,7 +310,7 @@ class MatrixOutput {
   }
 
  private:
-  void write(const reference::SparseRow& row) {
+  void write(const SparseRow& row) {
     double sum = 0;
     for (const double factor : row.value) sum += factor;
     entries_ += row.value.size() - static_cast<std::size_t>(std::count(row.value.begin(), row.value.end(), 0.0));
@@ -334,11 +322,11 @@ class MatrixOutput {
     const bool isChanged = smoother_ && ofEntries > 0;
     errors_.push_back(isChanged ? error * errorOf(row, heading_.facets()) / ofEntries : error);
     if (watch_) watch_(row, errors_.back());
-    writer_.write(row);
+    writer_->write(row);
   }
 
   reference::MatrixHeading heading_;
-  reference::MatrixWriter writer_;
+  std::unique_ptr<reference::RowSink> writer_;
   Watch watch_;
   std::optional<reference::MatrixSmoother> smoother_;
   /// The error of a row before it is smoothed, and the sum of those of its entries.
@@ -388,15 +376,14 @@ void writeMatrix(const FormFactorOptions& options, Context& context, const radio
   if (!options.vtu.empty() && context.isWriter())
     facets.emplace(options.vtu, "formfactors --vtu", context.inputs(scene.files));
   const std::unique_ptr<RowFile> file = rowFileOf(options, context, scene, {description});
-  const RowMethod rowFrom = methodOf(options, scene, discretization, receivers, context);
-  if (!file) return forEachRow(rowFrom, families, nullptr, context, [](const Row&) {});
+  const RowMethod method = methodOf(options, scene, discretization, receivers, context);
+  if (!file) return forEachRow(method, families, nullptr, context, {});
   reference::MatrixHeading heading = headingOf(families, receivers);
   heading.hasErrors = options.maxError || options.method == "rays";
-  MatrixOutput matrix(file->staging().file(), heading, options.smooth,
-                      [&](const reference::SparseRow& row, double error) {
-                        if (facets) values.take(row, error);
-                      });
-  forEachRow(rowFrom, families, file.get(), context, [&](const Row& row) { matrix.take(row); });
+  MatrixOutput matrix(file->staging().file(), heading, options.smooth, [&](const SparseRow& row, double error) {
+    if (facets) values.take(row, error);
+  });
+  forEachRow(method, families, file.get(), context, [&](SparseRow row) { matrix.take(std::move(row)); });
   const std::optional<reference::SmoothingMoves> moves = matrix.finish();
   if (facets) facets->write(options.scene.file, values.arrays());
   nlohmann::ordered_json result{{"matrix", options.output.filename().string()},
@@ -417,18 +404,22 @@ void printMatrix(const FormFactorOptions& options, Context& context, const radio
   const Families families = radiosity::familiesOf(scene);
   const RowReceivers receivers = reference::familiesAsReceivers(scene, discretization, families);
   const std::unique_ptr<RowFile> file = rowFileOf(options, context, scene);
-  const RowMethod rowFrom = methodOf(options, scene, discretization, receivers, context);
-  std::vector<Row> matrix;
-  forEachRow(rowFrom, families, file.get(), context, [&](Row row) { matrix.push_back(std::move(row)); });
+  const RowMethod method = methodOf(options, scene, discretization, receivers, context);
+  std::vector<SparseRow> matrix;
+  std::vector<OutsideShares> outside;
+  forEachRow(method, families, file.get(), context, [&](SparseRow row) {
+    outside.push_back(row.takeOutside(families.names.size()));
+    matrix.push_back(std::move(row));
+  });
   if (!context.isWriter()) return;
   nlohmann::ordered_json result = settingsOf(options);
   if (options.smooth) {
-    const bool hasErrors = !matrix.front().standardError.empty();
+    const bool hasErrors = !matrix.front().error.empty();
     result["smoothing"] = tellMoves(smooth(matrix, receivers), hasErrors, context.console);
   }
   const reference::MatrixChecks checks = reference::checkMatrix(factorsOf(matrix), receivers.area);
-  tellCaptured(matrix.front(), context.console);
-  tellChecks(matrix, checks, families, context.console);
+  tellCaptured(method, context.console);
+  tellChecks(outside, checks, families, context.console);
   const auto names = [&](std::size_t index) -> std::vector<Cell> {
     return {families.names[index / matrix.size()], families.names[index % matrix.size()]};
   };
@@ -438,7 +429,7 @@ void printMatrix(const FormFactorOptions& options, Context& context, const radio
   if (context.json) {
     nlohmann::ordered_json found = {{"row_sums", {checks.smallestRowSum, checks.largestRowSum}},
                                     {"reciprocity", checks.reciprocity}};
-    if (matrix.front().captured) found["captured"] = *matrix.front().captured;
+    if (method.captured) found["captured"] = *method.captured;
     if (file) std::cout << toText(found);
     result["matrix"] = toJson(table);
     result.update(found);

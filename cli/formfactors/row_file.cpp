@@ -21,7 +21,7 @@ namespace {
 using nlohmann::json;
 using raster::InputError;
 
-const std::string title = "hemitex rows 2 ";
+const std::string title = "hemitex rows 3 ";
 const char* const advice = "delete it, or choose another file";
 
 /// A line without the hash at its end; nothing if it is damaged.
@@ -42,23 +42,17 @@ constexpr double rounding = 1e-6;
 
 bool isShare(double value) { return std::isfinite(value) && value >= -rounding; }
 
-bool areShares(const std::vector<double>& values) { return std::all_of(values.begin(), values.end(), isShare); }
-
-bool isValid(const reference::Row& row, std::size_t receivers) {
-  const auto isPlausible = [](const std::optional<double>& value) { return !value || isShare(*value); };
-  const std::vector<std::uint32_t>& receiver = row.receiver;
-  const double shares =
-      std::accumulate(row.formFactor.begin(), row.formFactor.end(), row.background.value_or(0) + row.back.value_or(0));
-  if (row.background && !(std::abs(shares - 1) <= rounding)) return false;
-  return std::adjacent_find(receiver.begin(), receiver.end(), std::greater_equal<>()) == receiver.end() &&
-         (receiver.empty() || receiver.back() < receivers) && row.formFactor.size() == receiver.size() &&
-         (row.standardError.empty() || row.standardError.size() == receiver.size()) && areShares(row.formFactor) &&
-         areShares(row.standardError) && isShare(row.backgroundError) && isShare(row.backError) &&
-         isPlausible(row.captured) && isPlausible(row.error);
-}
-
-std::optional<double> numberIn(const json& value) {
-  return value.is_null() ? std::nullopt : std::optional(value.get<double>());
+bool isValid(const reference::SparseRow& row, std::size_t receivers) {
+  const std::vector<std::uint32_t>& column = row.column;
+  if (std::adjacent_find(column.begin(), column.end(), std::greater_equal<>()) != column.end()) return false;
+  if (row.value.size() != column.size() || (!row.error.empty() && row.error.size() != column.size())) return false;
+  if (!column.empty() && column.back() > receivers + 1) return false;
+  const bool hasBlockers = row.placeOf(receivers).has_value();
+  const double shares = std::accumulate(row.value.begin(), row.value.end(), 0.0);
+  if (hasBlockers != row.placeOf(receivers + 1).has_value() || (hasBlockers && !(std::abs(shares - 1) <= rounding)))
+    return false;
+  return std::all_of(row.value.begin(), row.value.end() - (hasBlockers ? 2 : 0), isShare) &&
+         std::all_of(row.error.begin(), row.error.end(), isShare) && isShare(row.rowError.value_or(0));
 }
 
 /// Whether a value is a list of integers that are row numbers: others would be converted without a word.
@@ -70,25 +64,18 @@ bool areNumbers(const json& list) {
 
 }  // namespace
 
-std::string lineOf(const reference::Row& row) {
-  return json{row.receiver,        row.formFactor, row.standardError,    orNull(row.background), orNull(row.back),
-              row.backgroundError, row.backError,  orNull(row.captured), orNull(row.error)}
-      .dump();
+std::string lineOf(const reference::SparseRow& row) {
+  return json{row.column, row.value, row.error, orNull(row.rowError)}.dump();
 }
 
-std::optional<reference::Row> rowOf(std::string_view line) {
+std::optional<reference::SparseRow> rowOf(std::string_view line) {
   const json list = json::parse(line, nullptr, false);
-  if (!list.is_array() || list.size() != 9 || !areNumbers(list[0])) return std::nullopt;
+  if (!list.is_array() || list.size() != 4 || !areNumbers(list[0])) return std::nullopt;
   try {
-    return reference::Row{list[0].get<std::vector<std::uint32_t>>(),
-                          list[1].get<std::vector<double>>(),
-                          list[2].get<std::vector<double>>(),
-                          numberIn(list[3]),
-                          numberIn(list[4]),
-                          list[5].get<double>(),
-                          list[6].get<double>(),
-                          numberIn(list[7]),
-                          numberIn(list[8])};
+    reference::SparseRow row{list[0].get<std::vector<std::uint32_t>>(), list[1].get<std::vector<double>>(),
+                             list[2].get<std::vector<double>>()};
+    if (!list[3].is_null()) row.rowError = list[3].get<double>();
+    return row;
   } catch (const json::exception&) {  // a value of another type
     return std::nullopt;
   }
@@ -98,11 +85,11 @@ std::string numberedLine(std::size_t number, const std::string& row) {
   return withHash(std::to_string(number) + ' ' + row);
 }
 
-std::optional<reference::Row> numberedRow(std::string_view line, std::size_t number, std::size_t receivers) {
+std::optional<reference::SparseRow> numberedRow(std::string_view line, std::size_t number, std::size_t receivers) {
   const std::string prefix = std::to_string(number) + ' ';
   const std::optional<std::string_view> text = withoutHash(line);
   if (!text || !text->starts_with(prefix) || number >= receivers) return std::nullopt;
-  std::optional<reference::Row> row = rowOf(text->substr(prefix.size()));
+  std::optional<reference::SparseRow> row = rowOf(text->substr(prefix.size()));
   if (row && !isValid(*row, receivers)) row.reset();
   return row;
 }
@@ -155,13 +142,13 @@ void RowFile::cutFrom(long place) {
     throw InputError(staging_.place().pathOf(part_).string(), 0, "cannot be written", advice);
 }
 
-bool RowFile::replay(std::size_t receivers, const std::function<void(reference::Row)>& take) {
+bool RowFile::replay(std::size_t receivers, const std::function<void(reference::SparseRow)>& take) {
   for (;; ++rows_) {
     const long place = std::ftell(file_.get());
     std::string line = nextLine();
     const bool isComplete = line.ends_with('\n');
     if (isComplete) line.pop_back();
-    std::optional<reference::Row> row;
+    std::optional<reference::SparseRow> row;
     if (isComplete) row = numberedRow(line, rows_, receivers);
     if (!row) {
       cutFrom(place);
@@ -177,7 +164,7 @@ void RowFile::write(const std::string& line) {
                      "check the disk; the complete rows are kept");
 }
 
-void RowFile::append(const std::string& row) { write(numberedLine(rows_++, row)); }
+void RowFile::append(const reference::SparseRow& row) { write(numberedLine(rows_++, lineOf(row))); }
 
 void RowFile::finish(const std::string& last) {
   staging_.commit(last);

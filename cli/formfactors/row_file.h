@@ -1,5 +1,5 @@
-/// The rows of a matrix of form factors as lines of text. They go from rank to rank, and into a file from which an
-/// interrupted run continues.
+/// The rows of a matrix of form factors as lines of text: what ranks send, and a file from which an interrupted run
+/// continues.
 #pragma once
 
 #include <cstdio>
@@ -11,21 +11,21 @@
 #include <string_view>
 
 #include "cli/common/staging.h"
-#include "reference/rows/scene_rows.h"
+#include "reference/rows/sparse_row.h"
 
 namespace hemitex::cli {
 
 /// A row as one line of JSON, in full precision, without a line end.
-std::string lineOf(const reference::Row& row);
+std::string lineOf(const reference::SparseRow& row);
 /// Reads what lineOf wrote; nothing if the text has another form.
-std::optional<reference::Row> rowOf(std::string_view line);
+std::optional<reference::SparseRow> rowOf(std::string_view line);
 
 /// A line of a file of rows: the number of the row, the row, and the hash of both, with a line end.
 std::string numberedLine(std::size_t number, const std::string& row);
 /// The row of such a line without its end; nothing if the line is damaged, has another number, or is no row of a square
-/// matrix with this number of receivers: they ascend, all numbers are finite, form factors and errors are not negative
-/// but for rounding, and all shares add up to 1 unless blockers are ignored.
-std::optional<reference::Row> numberedRow(std::string_view line, std::size_t number, std::size_t receivers);
+/// matrix with this number of receivers: columns ascend, all numbers are finite, form factors and errors are not
+/// negative but for rounding, and all shares add up to 1 unless blockers are ignored.
+std::optional<reference::SparseRow> numberedRow(std::string_view line, std::size_t number, std::size_t receivers);
 
 /// What identifies the computation of a matrix.
 struct Computation {
@@ -46,11 +46,11 @@ class RowFile {
 
   /// Gives the rows that the file held when it was opened to `take`, in their order. Drops the first damaged one and
   /// all behind it. Call it once, before `append`. Returns whether rows were dropped.
-  bool replay(std::size_t receivers, const std::function<void(reference::Row)>& take);
+  bool replay(std::size_t receivers, const std::function<void(reference::SparseRow)>& take);
   /// The number of rows in the file.
   std::size_t rows() const { return rows_; }
   /// Appends a row. Throws InputError if it cannot be written.
-  void append(const std::string& row);
+  void append(const reference::SparseRow& row);
 
   /// Where the result is written before it has its final name, with the files beside it.
   Staging& staging() { return staging_; }

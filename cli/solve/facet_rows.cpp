@@ -67,12 +67,13 @@ BoundedRows::BoundedRows(const radiosity::Scene& scene, const radiosity::Discret
 
 radiosity::FormFactorRow BoundedRows::row(const radiosity::Patch& patch) {
   const auto known = ahead_.find(patch.surface);
-  const reference::FacetRow found = known == ahead_.end() ? factors_.row(patch.surface) : std::move(known->second);
+  reference::SparseRow found = known == ahead_.end() ? factors_.row(patch.surface) : std::move(known->second);
   if (known != ahead_.end()) ahead_.erase(known);  // the solution keeps rows
-  errors_[patch.surface] = found.error;
+  errors_[patch.surface] = *found.rowError;
+  const reference::OutsideShares outside = found.takeOutside(errors_.size());
   std::vector<std::uint32_t> elements;
-  for (const std::uint32_t surface : found.facets) elements.push_back(elementOf(discretization_, surface));
-  return radiosity::closedRow(elements, found.factors, found.surroundings, found.backs);
+  for (const std::uint32_t surface : found.column) elements.push_back(elementOf(discretization_, surface));
+  return radiosity::closedRow(elements, found.value, *outside.surroundings, *outside.backs);
 }
 
 void BoundedRows::lookAhead(const radiosity::Step& step) {
@@ -87,7 +88,7 @@ void BoundedRows::lookAhead(const radiosity::Step& step) {
       missing.push_back(surface);
     }
   }
-  std::vector<reference::FacetRow> rows(missing.size());
+  std::vector<reference::SparseRow> rows(missing.size());
   raster::parallelFor(missing.size(), [&](std::size_t r) { rows[r] = factors_.row(missing[r]); });
   for (std::size_t r = 0; r < missing.size(); ++r) ahead_[missing[r]] = std::move(rows[r]);
 }

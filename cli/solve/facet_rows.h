@@ -36,8 +36,8 @@ class BoundedRows {
  private:
   const radiosity::Discretization& discretization_;
   reference::FacetFormFactors factors_;
-  std::map<std::uint32_t, reference::FacetRow> ahead_;  ///< by surface
-  std::vector<double> errors_;                          ///< one per surface
+  std::map<std::uint32_t, reference::SparseRow> ahead_;  ///< by surface
+  std::vector<double> errors_;                           ///< one per surface
 };
 
 }  // namespace hemitex::cli

@@ -26,8 +26,9 @@ namespace hemitex::python {
 namespace {
 
 using raster::InputError;
-using reference::Row;
+using reference::OutsideShares;
 using reference::RowReceivers;
+using reference::SparseRow;
 using namespace py::literals;
 
 using Methods = std::vector<std::pair<std::string, radiosity::ProjectionKind>>;
@@ -76,13 +77,6 @@ reference::RowMethod methodOf(const Elements& elements, const RowReceivers& rece
   });
 }
 
-/// The shares of a row, 0 where a receiver has no entry.
-std::vector<double> dense(const Row& row, const std::vector<double>& values, std::size_t receivers) {
-  std::vector<double> result(receivers, 0.0);
-  for (std::size_t k = 0; k < values.size(); ++k) result[row.receiver[k]] = values[k];
-  return result;
-}
-
 py::dict formFactorRow(const SharedElements& elements, const py::object& source, const py::dict& given,
                        const py::object& makeRenderer) {
   const Settings settings(given);
@@ -93,14 +87,14 @@ py::dict formFactorRow(const SharedElements& elements, const py::object& source,
                 : reference::elementsAsReceivers(elements->discretization);
   const reference::Source from = sourceOf(*elements, source);
   const reference::RowMethod method = methodOf(*elements, receivers, settings, makeRenderer);
-  const Row row = unlocked([&] { return method(from); });
+  SparseRow row = unlocked([&] { return method.row(from); });
   const std::size_t count = receivers.area.size();
-  return py::dict("form_factor"_a = toArray(dense(row, row.formFactor, count)), "area"_a = toArray(receivers.area),
+  const OutsideShares outside = row.takeOutside(count);
+  return py::dict("form_factor"_a = toArray(row.spread(row.value, count)), "area"_a = toArray(receivers.area),
                   "names"_a = bySurface ? py::cast(families.names) : py::object(py::none()),
-                  "standard_error"_a = row.standardError.empty()
-                                           ? py::object(py::none())
-                                           : py::object(toArray(dense(row, row.standardError, count))),
-                  "surroundings"_a = row.background, "backs"_a = row.back, "captured"_a = row.captured);
+                  "standard_error"_a =
+                      row.error.empty() ? py::object(py::none()) : py::object(toArray(row.spread(row.error, count))),
+                  "surroundings"_a = outside.surroundings, "backs"_a = outside.backs, "captured"_a = method.captured);
 }
 
 /// Compressed rows as NumPy arrays of SciPy's types.
@@ -126,13 +120,13 @@ py::dict formFactorMatrix(const SharedElements& elements, const py::dict& given,
   unlocked([&] {
     for (std::size_t from = 0; from < count; ++from) {
       told.tell(static_cast<double>(from) / static_cast<double>(count));
-      const Row row = families.surfaces[from].empty() ? Row() : method({families.surfaces[from]});
-      matrix.append({row.receiver, row.formFactor});
-      surroundings.push_back(row.background.value_or(0));
-      backs.push_back(row.back.value_or(0));
-      const double random = std::accumulate(row.standardError.begin(), row.standardError.end(), 0.0);
-      errors.push_back(row.error.value_or(random));
-      hasErrors = hasErrors || row.error || !row.standardError.empty();
+      SparseRow row = families.surfaces[from].empty() ? SparseRow() : method.row({families.surfaces[from]});
+      const OutsideShares outside = row.takeOutside(count);
+      matrix.append(row);
+      surroundings.push_back(outside.surroundings.value_or(0));
+      backs.push_back(outside.backs.value_or(0));
+      errors.push_back(row.rowError.value_or(std::accumulate(row.error.begin(), row.error.end(), 0.0)));
+      hasErrors = hasErrors || row.rowError || !row.error.empty();
     }
     told.tell(1);
   });

@@ -13,22 +13,22 @@ namespace {
 
 using Order = std::vector<std::uint32_t>;
 /// How badly a facet of the truth and one of the given matrix fit.
-using Costs = SquareMatrix;
+using Costs = FormFactorMatrix;
 
 constexpr std::size_t largestEntries = 16;  ///< of a row and of a column, by which facets are first matched
 
-SquareMatrix transposed(const SquareMatrix& matrix) {
-  SquareMatrix result{matrix.size, std::vector<double>(matrix.entries.size())};
+FormFactorMatrix transposed(const FormFactorMatrix& matrix) {
+  FormFactorMatrix result{matrix.size, std::vector<double>(matrix.factors.size())};
   for (std::size_t i = 0; i < matrix.size; ++i)
-    for (std::size_t j = 0; j < matrix.size; ++j) result.entries[j * matrix.size + i] = matrix.at(i, j);
+    for (std::size_t j = 0; j < matrix.size; ++j) result.factors[j * matrix.size + i] = matrix.at(i, j);
   return result;
 }
 
-/// The sum and the largest entries of each row, sorted.
-std::vector<std::vector<double>> rowsSorted(const SquareMatrix& matrix) {
+/// The sum and the largest factors of each row, sorted.
+std::vector<std::vector<double>> rowsSorted(const FormFactorMatrix& matrix) {
   std::vector<std::vector<double>> result(matrix.size);
   raster::parallelFor(matrix.size, [&](std::size_t r) {
-    const auto begin = matrix.entries.begin() + static_cast<std::ptrdiff_t>(r * matrix.size);
+    const auto begin = matrix.factors.begin() + static_cast<std::ptrdiff_t>(r * matrix.size);
     std::vector<double> row(begin, begin + static_cast<std::ptrdiff_t>(matrix.size));
     const double sum = std::accumulate(row.begin(), row.end(), 0.0);
     const auto middle = row.begin() + static_cast<std::ptrdiff_t>(std::min(largestEntries, row.size()));
@@ -41,19 +41,19 @@ std::vector<std::vector<double>> rowsSorted(const SquareMatrix& matrix) {
 }
 
 /// Adds the differences of sorted rows to the costs.
-void addSorted(Costs& costs, const SquareMatrix& given, const SquareMatrix& truth) {
+void addSorted(Costs& costs, const FormFactorMatrix& given, const FormFactorMatrix& truth) {
   const auto ofGiven = rowsSorted(given), ofTruth = rowsSorted(truth);
   raster::parallelFor(costs.size, [&](std::size_t i) {
     for (std::size_t p = 0; p < costs.size; ++p)
       for (std::size_t k = 0; k < ofTruth[i].size(); ++k)
-        costs.entries[i * costs.size + p] += std::abs(ofTruth[i][k] - ofGiven[p][k]);
+        costs.factors[i * costs.size + p] += std::abs(ofTruth[i][k] - ofGiven[p][k]);
   });
 }
 
 /// Gives each facet the free one of the smallest cost, the most certain facets first.
 Order assigned(const Costs& costs) {
   const std::size_t size = costs.size;
-  const auto row = [&](std::size_t i) { return costs.entries.begin() + static_cast<std::ptrdiff_t>(i * size); };
+  const auto row = [&](std::size_t i) { return costs.factors.begin() + static_cast<std::ptrdiff_t>(i * size); };
   std::vector<double> smallest(size);
   for (std::size_t i = 0; i < size; ++i)
     smallest[i] = *std::min_element(row(i), row(i) + static_cast<std::ptrdiff_t>(size));
@@ -74,25 +74,25 @@ Order assigned(const Costs& costs) {
 
 /// A matrix and its transposed one, so that columns are read as fast as rows.
 struct BothWays {
-  const SquareMatrix& rows;
-  SquareMatrix columns = transposed(rows);
+  const FormFactorMatrix& rows;
+  FormFactorMatrix columns = transposed(rows);
 };
 
-/// Adds to the costs how entries from and to the facets of `known` differ, which are matched by `order`.
+/// Adds to the costs how factors from and to the facets of `known` differ, which are matched by `order`.
 Costs withKnown(Costs costs, const BothWays& given, const BothWays& truth, const Order& order,
                 const std::vector<std::uint32_t>& known) {
   const std::size_t size = costs.size;
   raster::parallelFor(size, [&](std::size_t i) {
     for (const std::uint32_t k : known)
       for (std::size_t p = 0; p < size; ++p)
-        costs.entries[i * size + p] += std::abs(truth.columns.at(k, i) - given.columns.at(order[k], p)) +
+        costs.factors[i * size + p] += std::abs(truth.columns.at(k, i) - given.columns.at(order[k], p)) +
                                        std::abs(truth.rows.at(k, i) - given.rows.at(order[k], p));
   });
   return costs;
 }
 
 /// The sum of the differences in an order, over the sum of the truth.
-double difference(const SquareMatrix& given, const SquareMatrix& truth, const Order& order) {
+double difference(const FormFactorMatrix& given, const FormFactorMatrix& truth, const Order& order) {
   double apart = 0, sum = 0;
   for (std::size_t i = 0; i < truth.size; ++i)
     for (std::size_t j = 0; j < truth.size; ++j) {
@@ -104,7 +104,7 @@ double difference(const SquareMatrix& given, const SquareMatrix& truth, const Or
 
 }  // namespace
 
-std::optional<Order> facetOrder(const SquareMatrix& given, const SquareMatrix& truth) {
+std::optional<Order> facetOrder(const FormFactorMatrix& given, const FormFactorMatrix& truth) {
   constexpr int maxTries = 12, maxRounds = 6;
   constexpr std::size_t maxKnown = 64;
   constexpr double enough = 0.25;
@@ -136,7 +136,7 @@ std::optional<Order> facetOrder(const SquareMatrix& given, const SquareMatrix& t
     order[first] = candidate;
     Costs ofPair = withKnown(alone, ofGiven, ofTruth, order, std::vector<std::uint32_t>(4, first));
     for (std::size_t p = 0; p < size; ++p)
-      ofPair.entries[first * size + p] = p == candidate ? -1 : std::numeric_limits<double>::max();
+      ofPair.factors[first * size + p] = p == candidate ? -1 : std::numeric_limits<double>::max();
     order = assigned(ofPair);
     for (int round = 0; round < maxRounds; ++round) {
       const Order next = assigned(withKnown(ofPair, ofGiven, ofTruth, order, known));

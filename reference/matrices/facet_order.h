@@ -10,15 +10,9 @@
 #include <optional>
 #include <vector>
 
+#include "reference/truth/solution/form_factor_matrix.h"
+
 namespace hemitex::reference {
-
-/// A dense square matrix, row by row.
-struct SquareMatrix {
-  std::size_t size = 0;
-  std::vector<double> entries = {};  ///< size * size
-
-  double at(std::size_t row, std::size_t column) const { return entries[row * size + column]; }
-};
 
 /// More facets take too long: time grows with the square of their number, 2 s at this one.
 inline constexpr std::size_t maxOrderedFacets = 1000;
@@ -26,6 +20,6 @@ inline constexpr std::size_t maxOrderedFacets = 1000;
 /// The number in `given` of each facet of `truth`, so that truth.at(i, j) is about given.at(order[i], order[j]);
 /// nothing if no such order was found, in which the sum of all differences is below a quarter of the sum of `truth`.
 /// `truth` may have random errors. Both have the same size, of at most maxOrderedFacets.
-std::optional<std::vector<std::uint32_t>> facetOrder(const SquareMatrix& given, const SquareMatrix& truth);
+std::optional<std::vector<std::uint32_t>> facetOrder(const FormFactorMatrix& given, const FormFactorMatrix& truth);
 
 }  // namespace hemitex::reference

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cassert>
 #include <cctype>
 #include <string_view>
 
@@ -57,29 +56,14 @@ bool isMatrixFile(const std::filesystem::path& file) {
   return format != nullptr && format->sink != nullptr;
 }
 
-MatrixWriter::MatrixWriter(const std::filesystem::path& file, const MatrixHeading& heading)
-    : rowsLeft_(heading.facets()) {
+std::unique_ptr<RowSink> matrixSink(const std::filesystem::path& file, const MatrixHeading& heading) {
   if (!isMatrixFile(file))
     throw raster::InputError(file.string(), 0, "matrices are not written in this format",
                              "choose a name that ends in .npz, .mtx or .csv");
   if (heading.columns() >= maxColumns)
     throw raster::InputError(file.string(), 0, "the matrix has " + std::to_string(heading.columns()) + " columns",
                              "divide the mesh");
-  sink_ = formatOf(file)->sink(file, heading);
-}
-
-void MatrixWriter::write(const SparseRow& row) {
-  assert(rowsLeft_ > 0);
-  --rowsLeft_;
-  if (std::find(row.value.begin(), row.value.end(), 0.0) == row.value.end()) return sink_->write(row);
-  SparseMatrix kept;
-  kept.append(row);
-  sink_->write(kept.row(0));
-}
-
-void MatrixWriter::finish() {
-  assert(rowsLeft_ == 0);
-  sink_->finish();
+  return formatOf(file)->sink(file, heading);
 }
 
 }  // namespace hemitex::reference

@@ -10,7 +10,6 @@
 #include <filesystem>
 #include <memory>
 
-#include "reference/matrices/matrix_rows.h"
 #include "reference/matrices/sparse_matrix.h"
 
 namespace hemitex::reference {
@@ -22,23 +21,9 @@ MatrixFile readMatrix(const std::filesystem::path& file);
 /// Whether matrices are written in the format of a name.
 bool isMatrixFile(const std::filesystem::path& file);
 
-/// Writes a matrix row by row, and keeps no entries in memory. What it writes is complete after `finish` alone, so the
-/// file should have a temporary name until then. NPZ files also need room for files with the same name and
-/// `.indices`, `.data` and `.error` behind it.
-class MatrixWriter {
- public:
-  /// Throws InputError if the format is not written, or the file cannot be.
-  MatrixWriter(const std::filesystem::path& file, const MatrixHeading& heading);
-
-  /// Writes the next row. Entries that are 0 are left out. Columns ascend and are below heading.columns(). Throws
-  /// InputError if the file cannot be written.
-  void write(const SparseRow& row);
-  /// To be called after as many rows as there are facets. Throws InputError as above.
-  void finish();
-
- private:
-  std::unique_ptr<RowSink> sink_;
-  std::size_t rowsLeft_;
-};
+/// Begins a matrix file. NPZ files also need room for files with the same name and `.indices`, `.data` and `.error`
+/// behind it. Columns of rows are below heading.columns(). Throws InputError if the format is not written, or the file
+/// cannot be.
+std::unique_ptr<RowSink> matrixSink(const std::filesystem::path& file, const MatrixHeading& heading);
 
 }  // namespace hemitex::reference

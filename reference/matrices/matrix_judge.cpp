@@ -28,10 +28,8 @@ constexpr double rounding = 1e-6;
 constexpr double nearerBy = 3;
 
 double entry(const SparseMatrix& matrix, std::uint32_t row, std::uint32_t column) {
-  const SparseRow entries = matrix.row(row);
-  const auto place = std::lower_bound(entries.column.begin(), entries.column.end(), column);
-  if (place == entries.column.end() || *place != column) return 0;
-  return entries.value[static_cast<std::size_t>(place - entries.column.begin())];
+  const std::optional<std::size_t> place = matrix.placeOf(row, column);
+  return place ? matrix.value[*place] : 0;
 }
 
 glm::dvec3 middleOf(const radiosity::Surface& surface) {
@@ -301,13 +299,9 @@ class Judge {
   /// The error that the matrix states for it; 0 if it states none.
   double stated(std::size_t row, std::uint32_t to) const {
     if (matrix_.error.empty()) return 0;
-    const SparseRow entries = matrix_.row(facet(rows_[row].surface));
     double sum = 0;
-    for (const std::uint32_t f : facetsOf_[to]) {
-      const auto place = std::lower_bound(entries.column.begin(), entries.column.end(), f);
-      if (place != entries.column.end() && *place == f)
-        sum += static_cast<double>(entries.error[static_cast<std::size_t>(place - entries.column.begin())]);
-    }
+    for (const std::uint32_t f : facetsOf_[to])
+      if (const auto place = matrix_.placeOf(facet(rows_[row].surface), f)) sum += matrix_.error[*place];
     return sum;
   }
 
@@ -431,15 +425,15 @@ class Judge {
   void considerOrders(const Consider& consider, const Value& truth) const {
     const std::size_t facets = mesh_.facets;
     if (facets > maxOrderedFacets) return;
-    SquareMatrix given{facets, std::vector<double>(facets * facets)}, rough = given;
+    FormFactorMatrix given{facets, std::vector<double>(facets * facets)}, rough = given;
     for (std::uint32_t i = 0; i < facets; ++i)
-      for (std::uint32_t j = 0; j < facets; ++j) given.entries[i * facets + j] = entry(matrix_, i, j);
+      for (std::uint32_t j = 0; j < facets; ++j) given.factors[i * facets + j] = entry(matrix_, i, j);
     JudgeSettings settings = settings_;
     settings.rows = static_cast<int>(area_.size());
     settings.samples = 1 << 14;
     for (const TrueRow& row : measuredRows(mesh_, settings))
       for (std::uint32_t to = 0; to < area_.size(); ++to)
-        rough.entries[facet(row.surface) * facets + facet(to)] = row.factor[to];
+        rough.factors[facet(row.surface) * facets + facet(to)] = row.factor[to];
     const auto order = facetOrder(given, rough);
     if (!order) return;
     std::size_t others = 0;

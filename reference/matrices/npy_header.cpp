@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "raster/base/input_error.h"
-#include "reference/matrices/word_reader.h"
+#include "raster/base/short_number.h"
 
 namespace hemitex::reference {
 namespace {
@@ -62,7 +62,7 @@ NpyHeader parseNpyHeader(std::string_view bytes, const std::string& file) {
     size.remove_prefix(std::min(size.find_first_not_of(' '), size.size()));
     sizes.remove_prefix(std::min(length + 1, sizes.size()));
     if (size.empty() && sizes.empty()) break;
-    const auto number = wholeNumber(size);
+    const auto number = raster::parseInteger<std::uint64_t>(size);
     if (!number) fail(file, "its shape is damaged");
     header.shape.push_back(*number);
   }

@@ -100,10 +100,9 @@ class Member {
     if (header_.type == "<u8") return converted<Value, std::uint64_t>();
     fail("has the type " + header_.type + "; integers of 4 or 8 bytes are read");
   }
-  template <typename Value = double>
-  std::vector<Value> numbers() {
-    if (header_.type == "<f8") return converted<Value, double>();
-    if (header_.type == "<f4") return converted<Value, float>();
+  std::vector<double> numbers() {
+    if (header_.type == "<f8") return converted<double, double>();
+    if (header_.type == "<f4") return converted<double, float>();
     fail("has the type " + header_.type + "; floating point of 4 or 8 bytes is read");
   }
   /// A single text, of bytes or of UTF-32, without its padding.
@@ -210,13 +209,6 @@ class NpzSink : public RowSink {
   }
   ~NpzSink() override { removeSpools(); }
 
-  void write(const SparseRow& row) override {
-    indices_.write(row.column);
-    data_.write(row.value);
-    if (error_) error_->write(row.error);
-    rowStart_.push_back(rowStart_.back() + static_cast<std::int64_t>(row.value.size()));
-  }
-
   /// The order of the members is SciPy's.
   void finish() override {
     indices_.finish();
@@ -240,6 +232,12 @@ class NpzSink : public RowSink {
   }
 
  private:
+  void append(const SparseRow& row) override {
+    indices_.write(row.column);
+    data_.write(row.value);
+    if (error_) error_->write(std::vector<float>(row.error.begin(), row.error.end()));
+    rowStart_.push_back(rowStart_.back() + static_cast<std::int64_t>(row.value.size()));
+  }
   void removeSpools() const {
     std::error_code ignored;
     for (const SpooledArray* array : {&indices_, &data_}) std::filesystem::remove(array->file(), ignored);
@@ -314,7 +312,7 @@ MatrixFile readNpz(const std::filesystem::path& file) {
                              "has " + std::to_string(result.matrix.rowStart.size()) + " starts of rows for " +
                                  std::to_string(shape[0]) + " rows",
                              saveAgain);
-  if (zip_name_locate(archive.get(), "error.npy", 0) >= 0) result.matrix.error = member("error").numbers<float>();
+  if (zip_name_locate(archive.get(), "error.npy", 0) >= 0) result.matrix.error = member("error").numbers();
   checkAndSort(result.matrix, file.string());
   if (zip_name_locate(archive.get(), "area.npy", 0) >= 0) {
     result.area = member("area").numbers();

@@ -7,7 +7,6 @@
 #include <filesystem>
 #include <memory>
 
-#include "reference/matrices/matrix_rows.h"
 #include "reference/matrices/sparse_matrix.h"
 
 namespace hemitex::reference {

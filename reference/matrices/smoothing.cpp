@@ -55,7 +55,7 @@ void MatrixSmoother::add(const SparseRow& row) {
   for (std::size_t k = 0; k < row.column.size(); ++k) {
     const std::uint32_t column = row.column[k];
     const double flux = area_[number] * std::max(row.value[k], 0.0);
-    const double error = row.error.empty() ? 0.0 : area_[number] * static_cast<double>(row.error[k]);
+    const double error = row.error.empty() ? 0.0 : area_[number] * asStored(row.error[k]);
     if (column >= number) {
       exchanges_.push_back({.low = number, .high = column, .measured = {flux, -1}, .error = {error, error}});
       continue;
@@ -190,7 +190,7 @@ SmoothingMoves MatrixSmoother::moves() const {
   return result;
 }
 
-void MatrixSmoother::forEachRow(const std::function<void(const SparseRow& row)>& take) const {
+void MatrixSmoother::forEachRow(const std::function<void(SparseRow row)>& take) const {
   // The exchanges of a row with rows before it.
   std::vector<std::size_t> earlier;
   for (std::size_t e = 0; e < exchanges_.size(); ++e)
@@ -200,20 +200,18 @@ void MatrixSmoother::forEachRow(const std::function<void(const SparseRow& row)>&
   });
   std::size_t nextEarlier = 0, next = 0;
   for (std::uint32_t row = 0; row < area_.size(); ++row) {
-    std::vector<std::uint32_t> column;
-    std::vector<double> value;
-    std::vector<float> error;
+    SparseRow smoothed;
     const auto append = [&](std::uint32_t to, const Exchange& exchange) {
       if (exchange.flux == 0) return;
-      column.push_back(to);
-      value.push_back(exchange.flux / area_[row]);
-      if (hasErrors_) error.push_back(static_cast<float>(exchange.fluxError / area_[row]));
+      smoothed.column.push_back(to);
+      smoothed.value.push_back(exchange.flux / area_[row]);
+      if (hasErrors_) smoothed.error.push_back(asStored(exchange.fluxError / area_[row]));
     };
     for (; nextEarlier < earlier.size() && exchanges_[earlier[nextEarlier]].high == row; ++nextEarlier)
       append(exchanges_[earlier[nextEarlier]].low, exchanges_[earlier[nextEarlier]]);
     for (; next < exchanges_.size() && exchanges_[next].low == row; ++next)
       append(exchanges_[next].high, exchanges_[next]);
-    take({column, value, error});
+    take(std::move(smoothed));
   }
 }
 

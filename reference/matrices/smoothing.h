@@ -50,7 +50,7 @@ class MatrixSmoother {
   SmoothingMoves smooth();
   /// Calls take(row) with each smoothed row, in order. The error of an entry is the harmonic mean of those of its
   /// measurements: that of both if they are equal, and at most twice the smaller one.
-  void forEachRow(const std::function<void(const SparseRow& row)>& take) const;
+  void forEachRow(const std::function<void(SparseRow row)>& take) const;
 
  private:
   /// An exchange of two facets, or of one with itself (low == high), or with what a column behind the facets counts.

@@ -37,9 +37,17 @@ void sortRow(SparseMatrix& matrix, std::size_t begin, std::size_t end) {
 }  // namespace
 
 SparseRow SparseMatrix::row(std::size_t r) const {
-  const std::size_t begin = rowStart[r], count = rowStart[r + 1] - begin;
-  return {std::span(column).subspan(begin, count), std::span(value).subspan(begin, count),
-          error.empty() ? std::span<const float>() : std::span(error).subspan(begin, count)};
+  const auto begin = static_cast<std::ptrdiff_t>(rowStart[r]), end = static_cast<std::ptrdiff_t>(rowStart[r + 1]);
+  SparseRow row{{column.begin() + begin, column.begin() + end}, {value.begin() + begin, value.begin() + end}};
+  if (!error.empty()) row.error.assign(error.begin() + begin, error.begin() + end);
+  return row;
+}
+
+std::optional<std::size_t> SparseMatrix::placeOf(std::size_t r, std::uint32_t c) const {
+  const auto end = column.begin() + static_cast<std::ptrdiff_t>(rowStart[r + 1]);
+  const auto place = std::lower_bound(column.begin() + static_cast<std::ptrdiff_t>(rowStart[r]), end, c);
+  if (place == end || *place != c) return std::nullopt;
+  return static_cast<std::size_t>(place - column.begin());
 }
 
 void SparseMatrix::append(const SparseRow& row) {

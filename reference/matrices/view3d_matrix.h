@@ -7,7 +7,7 @@
 
 #include <filesystem>
 
-#include "reference/matrices/matrix_rows.h"
+#include "reference/matrices/sparse_matrix.h"
 
 namespace hemitex::reference {
 

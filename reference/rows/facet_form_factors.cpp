@@ -98,12 +98,12 @@ class FacetFormFactors::Worker {
         sums_(scene.surfaces.size()),
         poleShare_(poleShare(resolutionFor(settings.maxError))) {}
 
-  FacetRow row(std::uint32_t facet) {
+  SparseRow row(std::uint32_t facet) {
     views_.clear();
     background_ = backs_ = {};
     weights_ = {};
     std::array<int, 2> divisions{};
-    FacetRow row;
+    SparseRow row;
     for (const Rule& rule : rules) {
       for (std::size_t set = 0; set < 2; ++set)
         if (rule.divisions[set] > divisions[set]) {
@@ -112,7 +112,7 @@ class FacetFormFactors::Worker {
         }
       countCovered();
       row = rowOf(facet);
-      if (row.error <= settings_.maxError) break;
+      if (*row.rowError <= settings_.maxError) break;
     }
     for (const std::uint32_t f : touched_) sums_[f] = {};
     touched_.clear();
@@ -165,17 +165,18 @@ class FacetFormFactors::Worker {
     return std::abs(sums[0] / weights_[0] - sums[1] / weights_[1]);
   }
 
-  FacetRow rowOf(std::uint32_t facet) {
+  SparseRow rowOf(std::uint32_t facet) {
     const double weight = weights_[0] + weights_[1], count = static_cast<double>(views_.size());
     std::sort(touched_.begin(), touched_.end());
     const auto share = [&](const std::array<double, 2>& sums) { return (sums[0] + sums[1]) / weight; };
     const auto errorOf = [&](const std::array<double, 2>& sums) { return errorPerDifference * differenceOf(sums); };
-    FacetRow row{.surroundings = share(background_),
-                 .backs = share(backs_),
-                 .surroundingsError = static_cast<float>(errorOf(background_)),
-                 .backsError = static_cast<float>(errorOf(backs_)),
-                 .error = errorPerDifference * poleShare_,
-                 .points = static_cast<int>(views_.size())};
+    SparseRow row;
+    const auto add = [&row](std::size_t column, double value, double error) {
+      row.column.push_back(static_cast<std::uint32_t>(column));
+      row.value.push_back(value);
+      row.error.push_back(static_cast<double>(static_cast<float>(error)));
+    };
+    double rowError = errorPerDifference * poleShare_;
     for (const std::uint32_t f : touched_) {
       FacetSums& sums = sums_[f];
       const double seen = sums.seen[0] + sums.seen[1], covered = sums.covered[0] + sums.covered[1];
@@ -196,33 +197,31 @@ class FacetFormFactors::Worker {
         least = sums.unblocked * leastError(visiblePart(seen, covered), count, covered / weight / poleShare_ * count);
       }
       if (factor <= 0) continue;
-      row.facets.push_back(f);
-      row.factors.push_back(factor);
-      row.errors.push_back(static_cast<float>(std::max(error, least)));
-      row.error += error;
+      add(f, factor, std::max(error, least));
+      rowError += error;
     }
+    add(sums_.size(), share(background_), errorOf(background_));
+    add(sums_.size() + 1, share(backs_), errorOf(backs_));
+    row.rowError = rowError;
     close(row);
     return row;
   }
 
   /// Changes the shares so that all sum to 1: each in proportion to the square of its error, or all by one factor if a
   /// share would be negative.
-  static void close(FacetRow& row) {
-    const auto forEachShare = [&row](const auto& visit) {
-      for (std::size_t i = 0; i < row.factors.size(); ++i) visit(row.factors[i], static_cast<double>(row.errors[i]));
-      visit(row.surroundings, static_cast<double>(row.surroundingsError));
-      visit(row.backs, static_cast<double>(row.backsError));
-    };
+  static void close(SparseRow& row) {
     double sum = 0, variance = 0;
-    forEachShare([&](double share, double error) {
-      sum += share;
-      variance += error * error;
-    });
+    for (const double share : row.value) sum += share;
+    for (const double error : row.error) variance += error * error;
     const double change = variance > 0 ? (1 - sum) / variance : 0;
-    bool isPossible = variance > 0;
-    forEachShare([&](double share, double error) { isPossible = isPossible && share + change * error * error >= 0; });
-    forEachShare(
-        [&](double& share, double error) { share = isPossible ? share + change * error * error : share / sum; });
+    std::vector<double> changed = row.value;
+    for (std::size_t k = 0; k < changed.size(); ++k) changed[k] += change * row.error[k] * row.error[k];
+    const bool isPossible =
+        variance > 0 && std::all_of(changed.begin(), changed.end(), [](double share) { return share >= 0; });
+    if (isPossible)
+      row.value = std::move(changed);
+    else
+      for (double& share : row.value) share /= sum;
   }
 
   const radiosity::Scene& scene_;
@@ -244,7 +243,7 @@ FacetFormFactors::FacetFormFactors(const radiosity::Scene& scene, const radiosit
 
 FacetFormFactors::~FacetFormFactors() = default;
 
-FacetRow FacetFormFactors::row(std::uint32_t facet) {
+SparseRow FacetFormFactors::row(std::uint32_t facet) {
   std::unique_ptr<Worker> worker;
   {
     const std::lock_guard guard(mutex_);
@@ -254,7 +253,7 @@ FacetRow FacetFormFactors::row(std::uint32_t facet) {
     }
   }
   if (!worker) worker = std::make_unique<Worker>(scene_, discretization_, layout_, settings_);
-  FacetRow row = worker->row(facet);
+  SparseRow row = worker->row(facet);
   const std::lock_guard guard(mutex_);
   idle_.push_back(std::move(worker));
   return row;

@@ -25,20 +25,9 @@
 #include "radiosity/discretization/discretization.h"
 #include "radiosity/index_maps/id_layout.h"
 #include "radiosity/scene/scene.h"
+#include "reference/rows/sparse_row.h"
 
 namespace hemitex::reference {
-
-struct FacetRow {
-  std::vector<std::uint32_t> facets = {};  ///< ascending
-  std::vector<double> factors = {};        ///< one per facet, in (0, 1]
-  std::vector<float> errors = {};          ///< estimated absolute error of each factor, so that none is small by chance
-  double surroundings = 0;                 ///< share that meets nothing
-  double backs = 0;                        ///< share that meets backs of facets; the sum of all shares is 1
-  float surroundingsError = 0, backsError = 0;
-  double error = 0;  ///< estimate of the sum over facets of the absolute errors, by the differences of both halves, and
-                     ///< what facets smaller than a pixel may receive
-  int points = 0;    ///< from which hemicubes were drawn
-};
 
 struct FacetRowSettings {
   double maxError =
@@ -53,8 +42,10 @@ class FacetFormFactors {
                    const FacetRowSettings& settings);
   ~FacetFormFactors();
 
-  /// The row of a facet. May be called by several threads; the result does not depend on them.
-  FacetRow row(std::uint32_t facet);
+  /// The row of a facet, whose receivers are all facets. Errors of entries are rounded to binary32, and none is small
+  /// by chance. The error of the row is estimated by the differences of both halves, and what facets smaller than a
+  /// pixel may receive. May be called by several threads; the result does not depend on them.
+  SparseRow row(std::uint32_t facet);
 
  private:
   class Worker;

@@ -21,70 +21,58 @@ namespace {
 /// The numbers of the patches of each surface.
 using PatchNumbers = std::vector<std::vector<std::uint32_t>>;
 
-/// Sums of values by receiver, each in the order of its values.
-class ReceiverSums {
- public:
-  void add(std::uint32_t receiver, double value) { values_.push_back({receiver, value}); }
-  /// With the error of the value. Either all values have one, or none.
-  void add(std::uint32_t receiver, double value, double error) {
-    values_.push_back({receiver, value, error});
-    hasErrors_ = true;
-  }
-
-  /// Sets the entries of a row.
-  void moveTo(Row& row) {
-    std::stable_sort(values_.begin(), values_.end(),
-                     [](const Value& a, const Value& b) { return a.receiver < b.receiver; });
-    for (const Value& value : values_) {
-      if (row.receiver.empty() || row.receiver.back() != value.receiver) {
-        row.receiver.push_back(value.receiver);
-        row.formFactor.push_back(0);
-        if (hasErrors_) row.standardError.push_back(0);
-      }
-      row.formFactor.back() += value.value;
-      if (hasErrors_) row.standardError.back() += value.error;
-    }
-    values_.clear();
-  }
-
- private:
-  struct Value {
-    std::uint32_t receiver = 0;
-    double value = 0, error = 0;
-  };
-
-  std::vector<Value> values_;
-  bool hasErrors_ = false;
+/// An entry of a row, or a part of it.
+struct Entry {
+  std::uint32_t column = 0;
+  double value = 0, error = 0;
 };
 
-/// Adds a row to a mean. The shares of a receiver are integers, whose sum is exact.
-void addRow(Row& mean, ReceiverSums& sums, const radiosity::FormFactorRow& row, const RowReceivers& receivers,
+/// The row of the sums of entries, each in their order.
+SparseRow sumOf(std::vector<Entry> entries, bool hasErrors) {
+  std::stable_sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) { return a.column < b.column; });
+  SparseRow row;
+  for (const Entry& entry : entries) {
+    if (row.column.empty() || row.column.back() != entry.column) {
+      row.column.push_back(entry.column);
+      row.value.push_back(0);
+      if (hasErrors) row.error.push_back(0);
+    }
+    row.value.back() += entry.value;
+    if (hasErrors) row.error.back() += entry.error;
+  }
+  return row;
+}
+
+/// The column of what meets nothing; that of backs follows.
+std::uint32_t surroundingsOf(const RowReceivers& receivers) {
+  return static_cast<std::uint32_t>(receivers.area.size());
+}
+
+/// Adds a row to the entries of a mean. The shares of a receiver are integers, whose sum is exact.
+void addRow(std::vector<Entry>& mean, const radiosity::FormFactorRow& row, const RowReceivers& receivers,
             double weight) {
-  std::vector<std::pair<std::uint32_t, std::uint64_t>> shares;
+  std::vector<std::pair<std::uint32_t, std::uint64_t>> shares{{surroundingsOf(receivers), row.background},
+                                                              {surroundingsOf(receivers) + 1, row.back}};
   for (std::size_t i = 0; i < row.elements.size(); ++i)
     shares.emplace_back(receivers.ofElement[row.elements[i]], row.shares[i]);
   std::sort(shares.begin(), shares.end());
   for (std::size_t i = 0; i < shares.size();) {
-    const std::uint32_t receiver = shares[i].first;
+    const std::uint32_t column = shares[i].first;
     std::uint64_t share = 0;
-    for (; i < shares.size() && shares[i].first == receiver; ++i) share += shares[i].second;
-    sums.add(receiver, weight * radiosity::formFactor(share));
+    for (; i < shares.size() && shares[i].first == column; ++i) share += shares[i].second;
+    mean.push_back({column, weight * radiosity::formFactor(share)});
   }
-  *mean.background += weight * radiosity::formFactor(row.background);
-  *mean.back += weight * radiosity::formFactor(row.back);
 }
 
 /// The row of an element, from its centre, or of surfaces, averaged over their patches.
-Row meanRow(const radiosity::Scene& scene, const radiosity::Discretization& discretization,
-            const PatchNumbers& ofSurfaces, radiosity::ProjectedFormFactors& rows, const Source& source,
-            const RowReceivers& receivers) {
-  Row mean{.background = 0.0, .back = 0.0, .captured = radiosity::formFactor(rows.projection().captured)};
-  ReceiverSums sums;
+SparseRow meanRow(const radiosity::Scene& scene, const radiosity::Discretization& discretization,
+                  const PatchNumbers& ofSurfaces, radiosity::SceneFormFactors& drawn, const Source& source,
+                  const RowReceivers& receivers) {
+  std::vector<Entry> mean;
   if (source.element) {
     const auto centre = radiosity::elementCentre(scene, discretization, *source.element);
-    addRow(mean, sums, rows.from(source.surfaces.front(), centre), receivers, 1.0);
-    sums.moveTo(mean);
-    return mean;
+    addRow(mean, drawn.rows().from(source.surfaces.front(), centre), receivers, 1.0);
+    return sumOf(std::move(mean), false);
   }
   std::vector<std::uint32_t> patches;
   for (const std::uint32_t surface : source.surfaces)
@@ -93,10 +81,9 @@ Row meanRow(const radiosity::Scene& scene, const radiosity::Discretization& disc
   for (const std::uint32_t patch : patches) area += discretization.patches.list[patch].area;
   for (const std::uint32_t number : patches) {
     const radiosity::Patch& patch = discretization.patches.list[number];
-    addRow(mean, sums, rows.ofPatch(patch), receivers, patch.area / area);
+    addRow(mean, drawn.rows().ofPatch(patch), receivers, patch.area / area);
   }
-  sums.moveTo(mean);
-  return mean;
+  return sumOf(std::move(mean), false);
 }
 
 /// The ray tracer and its geometry. If surfaces are receivers, they have one texel, because fewer pieces are faster.
@@ -136,7 +123,7 @@ class FacetRows {
         blockLength_(blockLength),
         factors_(scene, discretization, {maxError}) {}
 
-  const FacetRow& row(std::uint32_t facet) {
+  const SparseRow& row(std::uint32_t facet) {
     if (facet < first_ || facet >= first_ + rows_.size()) {
       first_ = facet;
       rows_.resize(std::min(blockLength_, count_ - facet));
@@ -151,7 +138,7 @@ class FacetRows {
   std::size_t blockLength_;
   FacetFormFactors factors_;
   std::uint32_t first_ = 0;  ///< of the block
-  std::vector<FacetRow> rows_;
+  std::vector<SparseRow> rows_;
 };
 
 std::vector<std::uint32_t> elementsOf(const radiosity::Discretization& discretization, const Source& source) {
@@ -187,12 +174,6 @@ Source texelSource(const radiosity::Scene& scene, const radiosity::Discretizatio
   return {surfaces, grid.elementOfTexel[index]};
 }
 
-std::optional<std::size_t> entryOf(const Row& row, std::size_t receiver) {
-  const auto place = std::lower_bound(row.receiver.begin(), row.receiver.end(), receiver);
-  if (place == row.receiver.end() || *place != receiver) return std::nullopt;
-  return static_cast<std::size_t>(place - row.receiver.begin());
-}
-
 RowReceivers elementsAsReceivers(const radiosity::Discretization& discretization) {
   RowReceivers receivers{std::vector<std::uint32_t>(discretization.elements.size()), {}, {}};
   std::iota(receivers.ofElement.begin(), receivers.ofElement.end(), 0U);
@@ -219,69 +200,67 @@ RowMethod drawnMethod(const radiosity::Scene& scene, const radiosity::Discretiza
   split->patches = radiosity::splitAll(std::move(split->patches), drawn->splits());
   const auto patches =
       std::make_shared<PatchNumbers>(radiosity::patchesOfSurfaces(split->patches, split->grids.size()));
-  return [&scene, &receivers, split, drawn, patches](const Source& source) {
-    return meanRow(scene, *split, *patches, drawn->rows(), source, receivers);
+  const auto row = [&scene, &receivers, split, drawn, patches](const Source& source) {
+    return meanRow(scene, *split, *patches, *drawn, source, receivers);
   };
+  return {row, radiosity::formFactor(drawn->rows().projection().captured)};
 }
 
 RowMethod facetMethod(const radiosity::Scene& scene, const radiosity::Discretization& discretization,
                       const RowReceivers& receivers, double maxError, std::size_t blockLength) {
   const auto rows = std::make_shared<FacetRows>(scene, discretization, maxError, blockLength);
-  return [&receivers, rows](const Source& source) {
-    const FacetRow& found = rows->row(source.surfaces.front());
-    Row row{.background = found.surroundings,
-            .back = found.backs,
-            .backgroundError = found.surroundingsError,
-            .backError = found.backsError,
-            .error = found.error};
-    ReceiverSums sums;
-    for (std::size_t k = 0; k < found.facets.size(); ++k)
-      sums.add(receivers.ofSurface[found.facets[k]], found.factors[k], static_cast<double>(found.errors[k]));
-    sums.moveTo(row);
+  return {[&receivers, rows](const Source& source) {
+    const SparseRow& found = rows->row(source.surfaces.front());
+    const auto surfaces = static_cast<std::uint32_t>(receivers.ofSurface.size());
+    std::vector<Entry> entries;
+    for (std::size_t k = 0; k < found.column.size(); ++k) {
+      const std::uint32_t c = found.column[k];
+      entries.push_back({c < surfaces ? receivers.ofSurface[c] : surroundingsOf(receivers) + (c - surfaces),
+                         found.value[k], found.error[k]});
+    }
+    SparseRow row = sumOf(std::move(entries), true);
+    row.rowError = found.rowError;
     return row;
-  };
+  }};
 }
 
 RowMethod rayMethod(const radiosity::Scene& scene, const radiosity::Discretization& discretization,
                     const RowReceivers& receivers, const RayOptions& options) {
   const auto rays = std::make_shared<Rays>(scene, discretization, receivers);
-  return [&discretization, rays, options](const Source& source) {
+  return {[&discretization, rays, options](const Source& source) {
     const RaySource shooter = areaRaySource(rays->shooting, elementsOf(discretization, source));
     const auto measure = options.aimed ? &RayFormFactors::aimed : &RayFormFactors::overHemisphere;
-    const MeasuredRow measured =
+    MeasuredRow measured =
         (rays->formFactors.*measure)(shooter, rays->receivers, {.samples = options.samples, .seed = options.seed});
-    Row row{.background = measured.background.value,
-            .back = measured.back.value,
-            .backgroundError = measured.background.standardError,
-            .backError = measured.back.standardError};
+    const std::size_t seen = measured.receivers.size();
+    measured.receivers.insert(measured.receivers.end(), {measured.background, measured.back});
+    SparseRow row;
     for (std::size_t r = 0; r < measured.receivers.size(); ++r) {
       const Measurement& receiver = measured.receivers[r];
-      if (receiver.value == 0 && receiver.standardError == 0) continue;
-      row.receiver.push_back(static_cast<std::uint32_t>(r));
-      row.formFactor.push_back(receiver.value);
-      row.standardError.push_back(receiver.standardError);
+      if (r < seen && receiver.value == 0 && receiver.standardError == 0) continue;
+      row.column.push_back(static_cast<std::uint32_t>(r));
+      row.value.push_back(receiver.value);
+      row.error.push_back(receiver.standardError);
     }
     return row;
-  };
+  }};
 }
 
 RowMethod analyticMethod(const radiosity::Scene& scene, const radiosity::Discretization& discretization,
                          const RowReceivers& receivers) {
   const auto polygons = std::make_shared<Polygons>(scene, discretization);
-  return [&discretization, &receivers, polygons](const Source& source) {
+  return {[&discretization, &receivers, polygons](const Source& source) {
     const bool areElements = receivers.ofSurface.empty();
     const std::vector<double> values =
         analyticRow(source.element ? polygons->ofTexels : polygons->ofWhole,
                     elementsOf(source.element ? discretization : polygons->whole, source),
                     areElements ? polygons->ofTexels : polygons->ofWhole);
     const std::vector<std::uint32_t>& receiverOf = areElements ? receivers.ofElement : receivers.ofSurface;
-    ReceiverSums sums;
+    std::vector<Entry> entries;
     for (std::size_t i = 0; i < values.size(); ++i)
-      if (values[i] != 0) sums.add(receiverOf[i], values[i]);
-    Row row;
-    sums.moveTo(row);
-    return row;
-  };
+      if (values[i] != 0) entries.push_back({receiverOf[i], values[i]});
+    return sumOf(std::move(entries), false);
+  }};
 }
 
 }  // namespace hemitex::reference

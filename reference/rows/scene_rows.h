@@ -13,6 +13,7 @@
 #include "radiosity/index_maps/id_layout.h"
 #include "radiosity/scene/scene.h"
 #include "radiosity/scene/surface_names.h"
+#include "reference/rows/sparse_row.h"
 
 namespace hemitex::reference {
 
@@ -38,25 +39,12 @@ RowReceivers elementsAsReceivers(const radiosity::Discretization& discretization
 RowReceivers familiesAsReceivers(const radiosity::Scene& scene, const radiosity::Discretization& discretization,
                                  const radiosity::Families& families);
 
-/// A row of form factors. Receivers that are not seen have no entry.
-struct Row {
-  std::vector<std::uint32_t> receiver = {};   ///< ascending
-  std::vector<double> formFactor = {};        ///< one per entry of `receiver`
-  std::vector<double> standardError = {};     ///< one per entry of `receiver`; for facets the estimated error; empty if
-                                              ///< the method has none
-  std::optional<double> background = {};      ///< share that leaves the scene; none if the method ignores blockers
-  std::optional<double> back = {};            ///< share that meets backs of faces; none if the method ignores blockers
-  double backgroundError = 0, backError = 0;  ///< as standardError
-  std::optional<double> captured = {};  ///< share that the projection captures; the rest is in `background`; none if
+/// Computes rows. Keeps references to the arguments of the function that made it.
+struct RowMethod {
+  std::function<SparseRow(const Source&)> row;
+  std::optional<double> captured = {};  ///< share that the projection captures; the rest is in `surroundings`; none if
                                         ///< the method does not draw
-  std::optional<double> error = {};     ///< estimate of the sum of the absolute errors; none if the method has none
 };
-
-/// The place of a receiver in `row.receiver`; nothing if it has no entry.
-std::optional<std::size_t> entryOf(const Row& row, std::size_t receiver);
-
-/// Computes the row of a source. Keeps references to the arguments of the function that made it.
-using RowMethod = std::function<Row(const Source&)>;
 
 /// Draws projections. The row of a surface is the mean of the rows of its patches, weighted by area. Shares are
 /// integers, so sums within a row are exact. The mean over patches is in double precision, in the order of patches. The

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t receivers = 3;
 
-std::optional<reference::Row> read(std::size_t number, const std::string& text) {
+std::optional<reference::SparseRow> read(std::size_t number, const std::string& text) {
   std::string line = cli::numberedLine(number, text);
   line.pop_back();
   return cli::numberedRow(line, number, receivers);

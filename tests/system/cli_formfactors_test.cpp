@@ -256,7 +256,10 @@ TEST_CASE("hemitex formfactors -o keeps a file of others whose name is that of i
     CHECK(outcome.exitCode == 2);
     CHECK_THAT(outcome.err, Contains("m.csv.part:1: the rows belong to another scene or other settings"));
     CHECK(readAll(shell.file("m.csv.part")) == text);
+    CHECK(shell.files().size() == Shell().files().size() + 1);  // no lock, no temporary folder
   }
+  shell.execute("rm m.csv.part");
+  CHECK(shell.run("formfactors room.obj --all --by-surface --resolution 32 -o m.csv").exitCode == 0);
 }
 
 TEST_CASE("hemitex formfactors --json -o prints the checks of the matrix that it writes", "[cli]") {
@@ -317,6 +320,8 @@ TEST_CASE("hemitex formfactors --facets gives the row of each face of a mesh, an
   REQUIRE(std::vector(row.column.begin(), row.column.end()) == std::vector<std::uint32_t>{2, 3, 4});
   CHECK(row.value[0] + row.value[1] == Approx(0.199824896).margin(1e-3));
   CHECK(row.value[0] == Approx(row.value[1]).margin(1e-3));
+  shell.output("formfactors m.ply --all --texels 8 --patch 1 --smooth -o S.npz");
+  CHECK(json::parse(readAll(shell.file("S.json")))["smoothing"]["root_mean_square"].is_number());
   const auto lines = linesOf(shell.output("formfactors m.ply --all --by-surface"));
   CHECK(lines.size() == 2);
   // Also estimated errors have one number per face.

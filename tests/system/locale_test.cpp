@@ -131,11 +131,11 @@ std::string exchanged(const fs::path& folder) {
   const std::vector<double> areas(1500, 0.5), values{0.125, 1e-7};
   const std::vector<std::uint32_t> columns{1300, 1500};
   for (const char* name : {"m.npz", "m.mtx", "m.csv"}) {
-    reference::MatrixWriter writer(folder / name, {areas});
+    const auto writer = reference::matrixSink(folder / name, {areas});
     for (std::size_t row = 0; row < areas.size(); ++row) {
-      writer.write(row == 1200 ? reference::SparseRow{columns, values} : reference::SparseRow{});
+      writer->write(row == 1200 ? reference::SparseRow{columns, values} : reference::SparseRow{});
     }
-    writer.finish();
+    writer->finish();
     for (const double value : reference::readMatrix(folder / name).matrix.value) text += raster::toText(value) + ' ';
   }
   return text + raster::shortNumber(1234.5678) + ' ' + raster::shortNumber(0.125);

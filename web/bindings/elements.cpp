@@ -233,18 +233,18 @@ Value rowOf(const ElementsHandle& handle, const Value& source, const Value& give
     const reference::Source from = sourceOf(handle, jsonOf(source));
     const reference::RowMethod method = methodOf(handle, receivers, jsonOf(given));
     const double start = emscripten_get_now();
-    const reference::Row row = method(from);
+    reference::SparseRow row = method.row(from);
     const double milliseconds = emscripten_get_now() - start;
-    const auto spread = [&](const std::vector<double>& values) {
-      std::vector<double> all(receivers.area.size());
-      for (std::size_t k = 0; k < values.size(); ++k) all[row.receiver[k]] = values[k];
-      return toArray("Float64Array", all);
+    const std::size_t count = receivers.area.size();
+    const reference::OutsideShares outside = row.takeOutside(count);
+    const auto spread = [&](const std::vector<double>& entries) {
+      return toArray("Float64Array", row.spread(entries, count));
     };
     Value result = Value::object();
-    result.set("formFactors", spread(row.formFactor));
-    result.set("standardErrors", row.standardError.empty() ? Value::null() : spread(row.standardError));
-    result.set("background", row.background.value_or(0));
-    result.set("backs", row.back.value_or(0));
+    result.set("formFactors", spread(row.value));
+    result.set("standardErrors", row.error.empty() ? Value::null() : spread(row.error));
+    result.set("background", outside.surroundings.value_or(0));
+    result.set("backs", outside.backs.value_or(0));
     result.set("milliseconds", milliseconds);
     return result;
   });

@@ -11,7 +11,7 @@ MatrixChecks checkMatrix(const FormFactorMatrix& matrix, std::span<const double>
   const std::size_t size = matrix.size;
   assert(size > 0 && area.size() == size && matrix.factors.size() == size * size);
   MatrixChecks checks{.smallestRowSum = std::numeric_limits<double>::infinity()};
-  const auto flux = [&](std::size_t i, std::size_t j) { return area[i] * matrix.factors[i * size + j]; };
+  const auto flux = [&](std::size_t i, std::size_t j) { return area[i] * matrix.at(i, j); };
   for (std::size_t i = 0; i < size; ++i) {
     const std::span<const double> row(matrix.factors.data() + i * size, size);
     const double sum = std::accumulate(row.begin(), row.end(), 0.0);

@@ -11,6 +11,8 @@ namespace hemitex::reference {
 struct FormFactorMatrix {
   std::size_t size = 0;
   std::vector<double> factors;
+
+  double at(std::size_t i, std::size_t j) const { return factors[i * size + j]; }
 };
 
 struct MatrixChecks {

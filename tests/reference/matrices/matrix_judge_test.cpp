@@ -211,11 +211,8 @@ TEST_CASE("judgeMatrix accuses no true matrix: of rays, or of hemicubes and clos
   SparseMatrix found{box().count + 2};
   FacetFormFactors factors(box().scene, box().elements, {.maxError = 0.01});
   for (std::uint32_t i = 0; i < box().count; ++i) {
-    FacetRow row = factors.row(i);
-    const auto count = static_cast<std::uint32_t>(box().count);
-    row.facets.insert(row.facets.end(), {count, count + 1});
-    row.factors.insert(row.factors.end(), {row.surroundings, row.backs});
-    found.append({row.facets, row.factors});
+    const SparseRow row = factors.row(i);
+    found.append({row.column, row.value});
   }
   const MatrixVerdict ofHemicubes = judgeMatrix(found, box().mesh);
   CAPTURE(ofHemicubes.problems);
@@ -290,9 +287,12 @@ TEST_CASE("judgeMatrix accuses no true matrix of solids that touch each other", 
   std::iota(mesh.facetOf.begin(), mesh.facetOf.end(), 0U);
   SparseMatrix found{scene.faces};
   FacetFormFactors factors(scene, elements, {.maxError = 0.02});
-  std::vector<FacetRow> rows(scene.faces);
+  std::vector<SparseRow> rows(scene.faces);
   raster::parallelFor(rows.size(), [&](std::size_t f) { rows[f] = factors.row(static_cast<std::uint32_t>(f)); });
-  for (const FacetRow& row : rows) found.append({row.facets, row.factors, row.errors});
+  for (SparseRow& row : rows) {
+    row.takeOutside(scene.faces);
+    found.append(row);
+  }
   const MatrixVerdict verdict = judgeMatrix(found, mesh, quick);
   CAPTURE(verdict.problems);
   CHECK(verdict.problems.empty());
@@ -329,7 +329,7 @@ TEST_CASE("judgeMatrix takes errors that a matrix states into account, and says 
           "[matrix_judge]") {
   SparseMatrix rough = sparse(box().truth);
   for (std::size_t k = 0; k < rough.value.size(); ++k) {
-    rough.error.push_back(static_cast<float>(0.15 * rough.value[k]));
+    rough.error.push_back(0.15 * rough.value[k]);
     rough.value[k] *= k % 2 == 0 ? 1.12 : 0.88;
   }
   const auto isWrong = [](const SparseMatrix& matrix, const std::string& text) {
@@ -339,7 +339,7 @@ TEST_CASE("judgeMatrix takes errors that a matrix states into account, and says 
   };
   CHECK_FALSE(isWrong(rough, "differ from rays;"));
   CHECK_FALSE(isWrong(rough, "the errors that the matrix states"));
-  for (float& error : rough.error) error /= 30;
+  for (double& error : rough.error) error /= 30;
   CHECK(isWrong(rough, "differ from rays;"));
   CHECK(isWrong(rough, "times the errors that the matrix states"));
 }
@@ -347,7 +347,7 @@ TEST_CASE("judgeMatrix takes errors that a matrix states into account, and says 
 TEST_CASE("facetOrder finds the order of up to a thousand facets, also of symmetric meshes", "[matrix_judge]") {
   for (const std::size_t size : {std::size_t{40}, std::size_t{300}, maxOrderedFacets}) {
     // Points on a torus of lines: each facet sees others by their distance, with a symmetry of four.
-    SquareMatrix truth{size, std::vector<double>(size * size)}, given = truth;
+    FormFactorMatrix truth{size, std::vector<double>(size * size)}, given = truth;
     const auto distance = [&](std::size_t i, std::size_t j) {
       const double apart = std::abs(static_cast<double>(i) - static_cast<double>(j)) / static_cast<double>(size);
       return std::min(apart, 1 - apart);
@@ -357,8 +357,8 @@ TEST_CASE("facetOrder finds the order of up to a thousand facets, also of symmet
       for (std::size_t j = 0; j < size; ++j) {
         const double noise = 1 + 0.05 * (static_cast<double>((i * 7919 + j * 104729) % 100) / 50 - 1);
         const double factor = i == j ? 0 : std::exp(-40 * distance(i, j)) * (1 + 0.5 * (i % 3 == 0));
-        truth.entries[i * size + j] = factor * noise;
-        given.entries[order[i] * size + order[j]] = factor;
+        truth.factors[i * size + j] = factor * noise;
+        given.factors[order[i] * size + order[j]] = factor;
       }
     const auto found = facetOrder(given, truth);
     CAPTURE(size);
@@ -371,7 +371,7 @@ TEST_CASE("facetOrder finds the order of up to a thousand facets, also of symmet
       }
     CHECK(apart / sum < 0.06);
   }
-  SquareMatrix one{2, {0, 1, 1, 0}}, other{2, {0.5, 0, 0, 0.5}};
+  FormFactorMatrix one{2, {0, 1, 1, 0}}, other{2, {0.5, 0, 0, 0.5}};
   CHECK_FALSE(facetOrder(other, one));
 }
 

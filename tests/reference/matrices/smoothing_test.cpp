@@ -6,7 +6,6 @@
 #include <cmath>
 #include <numeric>
 #include <random>
-#include <span>
 #include <vector>
 
 #include "reference/truth/solution/form_factor_matrix.h"
@@ -57,7 +56,8 @@ FormFactorMatrix smoothed(const FormFactorMatrix& matrix, const std::vector<doub
   for (std::size_t i = 0; i < matrix.size; ++i) {
     std::vector<std::uint32_t> columns(matrix.size);
     std::iota(columns.begin(), columns.end(), 0U);
-    sparse.append({columns, std::span(matrix.factors).subspan(i * matrix.size, matrix.size)});
+    const auto begin = matrix.factors.begin() + static_cast<std::ptrdiff_t>(i * matrix.size);
+    sparse.append({columns, {begin, begin + static_cast<std::ptrdiff_t>(matrix.size)}});
     smoother.add(sparse.row(i));
   }
   smoother.smooth();
@@ -206,14 +206,9 @@ namespace {
 /// The exchanges of facets 0 and 1 are exact; the others have the given error of F.
 SparseMatrix open(double error) {
   SparseMatrix matrix{.columns = 5};
-  const auto add = [&](const std::vector<std::uint32_t>& column, const std::vector<double>& value,
-                       const std::vector<float>& errors) {
-    matrix.append({column, value, errors});
-  };
-  const auto e = static_cast<float>(error);
-  add({1, 2, 3}, {0.25, 0.5, 0.25}, {0, e, e});
-  add({0, 2, 3, 4}, {0.125, 0.5, 0.25, 0.125}, {0, e, e, e});
-  add({0, 1, 3}, {0.125, 0.25, 0.625}, {e, e, e});
+  matrix.append({{1, 2, 3}, {0.25, 0.5, 0.25}, {0, error, error}});
+  matrix.append({{0, 2, 3, 4}, {0.125, 0.5, 0.25, 0.125}, {0, error, error, error}});
+  matrix.append({{0, 1, 3}, {0.125, 0.25, 0.625}, {error, error, error}});
   return matrix;
 }
 
@@ -265,10 +260,10 @@ TEST_CASE("MatrixSmoother counts the entries that move by more than their errors
 TEST_CASE("MatrixSmoother gives both facets of a pair an entry, of which one alone saw the other", "[smoothing]") {
   const std::vector<double> area{1, 2, 4};
   SparseMatrix oneWay{.columns = 5};
-  const std::vector<float> errors{0.01F, 0.01F};
-  oneWay.append({std::vector<std::uint32_t>{1, 3}, std::vector<double>{0.5, 0.5}, errors});
-  oneWay.append({std::vector<std::uint32_t>{0, 3}, std::vector<double>{0.25, 0.75}, errors});
-  oneWay.append({std::vector<std::uint32_t>{1, 3}, std::vector<double>{0.01, 0.99}, errors});
+  const std::vector<double> errors{0.01, 0.01};
+  oneWay.append({{1, 3}, {0.5, 0.5}, errors});
+  oneWay.append({{0, 3}, {0.25, 0.75}, errors});
+  oneWay.append({{1, 3}, {0.01, 0.99}, errors});
   SmoothingMoves moves;
   const SparseMatrix smooth = smoothedRows(oneWay, area, moves);
   REQUIRE(smooth.row(1).column.size() == 3);
