@@ -65,7 +65,7 @@ Solution shoot(const SolveInput& input, ShootingState& state, RowCache& rows, co
   solution.residual = state.residual();
   const auto isDone = [&] {
     return (settings.shots && solution.shots >= *settings.shots) ||
-           (solution.residual <= settings.residual && state.seenResidual(input.seen.surfaces) <= settings.residual);
+           (solution.residual <= settings.residual && state.seenResidual() <= settings.residual);
   };
   std::vector<SplitCall> splits = past.splits;
   const auto snapshot = [&] { return Snapshot{solution.shots, splits, solution.absorbedByBacks, state.saved()}; };
@@ -74,7 +74,7 @@ Solution shoot(const SolveInput& input, ShootingState& state, RowCache& rows, co
     const Patch& patch = state.patches().list[number];
     const double ofAll = bandSum(glm::abs(state.unshot(number))) / unitFlux;
     if (input.seen.surfaces.empty() || !input.seen.scoutRow || patch.isSettled) return ofAll;
-    const double ofSeen = unitsOfFlux * state.seenGain(number, input.seen.scoutRow(patch), input.seen.surfaces);
+    const double ofSeen = unitsOfFlux * state.seenGain(number, input.seen.scoutRow(patch));
     return std::max(ofAll, ofSeen);
   };
   const auto likelyShots = [&](std::size_t count) {
@@ -176,6 +176,7 @@ Solution solve(SolveInput input, const Progress& progress) {
           ? ShootingState(scene, discretization, std::move(input.patches), std::move(input.outside), past.state)
           : ShootingState(scene, discretization, std::move(input.patches), std::move(nothing));
   if (input.snapshot) requireBalanced(state, past);
+  state.setSeen(input.seen.surfaces);
   const std::size_t bytes = input.settings.rowCacheBytes;
   KeptRows rows{RowCache(input.isContinued ? bytes / 2 : bytes), RowCache(bytes / 2)};
   Solution solution = shoot(input, state, input.rows != nullptr ? *input.rows : rows.ofPatches, progress, past);

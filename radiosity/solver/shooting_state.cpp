@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <limits>
 #include <span>
 
@@ -42,7 +43,13 @@ struct Arrival {
   std::span<const std::uint32_t> elements;
   std::span<const std::uint64_t> shares;
   glm::dvec3 shot;
+  double unitsPerFlux;  ///< 0 if the surface is not seen
 };
+
+/// The flux that an element absorbs of what it received, in whole units.
+std::int64_t absorbedUnits(const glm::dvec3& received, const glm::dvec3& reflectance, double unitsPerFlux) {
+  return static_cast<std::int64_t>(bandSum(received * (1.0 - reflectance)) * unitsPerFlux);
+}
 
 /// The unshot flux of receiving patches, and their tree blocks.
 class ReceivingPatches {
@@ -61,56 +68,78 @@ class ReceivingPatches {
   std::uint32_t last_ = std::numeric_limits<std::uint32_t>::max();
 };
 
-/// Adds the arriving flux to elements, and calls reflect(i, light) for that of the i-th entry.
+/// Adds the arriving flux to elements, and calls reflect(i, light) for that of the i-th entry. Returns the units that
+/// a seen surface absorbs.
 template <typename Reflect>
-void receive(const Arrival& arrival, std::span<glm::dvec3> received, const Reflect& reflect) {
+std::int64_t receive(const Arrival& arrival, const SurfaceValues& reflectance, std::span<glm::dvec3> received,
+                     const Reflect& reflect) {
   const std::span elements = arrival.elements;
+  const auto unitsOf = [&](std::uint32_t element) {
+    return absorbedUnits(received[element], reflectance.of(element), arrival.unitsPerFlux);
+  };
+  const bool isSeen = arrival.unitsPerFlux > 0;
+  std::int64_t units = 0;
   for (std::size_t i = 0; i < elements.size(); ++i) {
     if (i + fetchedAhead < elements.size()) __builtin_prefetch(&received[elements[i + fetchedAhead]], 1);
     const glm::dvec3 light = arrival.shot * formFactor(arrival.shares[i]);
+    if (isSeen) units -= unitsOf(elements[i]);
     received[elements[i]] += light;
+    if (isSeen) units += unitsOf(elements[i]);
     reflect(i, light);
   }
+  return units;
 }
 
 /// Adds the reflected flux of each element to its patch.
-void receiveByElements(const Arrival& arrival, const SurfaceValues& reflectance, std::span<const std::uint32_t> patchOf,
-                       std::span<glm::dvec3> received, ReceivingPatches patches) {
-  receive(arrival, received, [&, elements = arrival.elements](std::size_t i, const glm::dvec3& light) {
-    patches.add(patchOf[elements[i]], light * reflectance.of(elements[i]));
-  });
+std::int64_t receiveByElements(const Arrival& arrival, const SurfaceValues& reflectance,
+                               std::span<const std::uint32_t> patchOf, std::span<glm::dvec3> received,
+                               ReceivingPatches patches) {
+  return receive(arrival, reflectance, received,
+                 [&, elements = arrival.elements](std::size_t i, const glm::dvec3& light) {
+                   patches.add(patchOf[elements[i]], light * reflectance.of(elements[i]));
+                 });
 }
 
 /// As above for a uniform reflectance and patches with several receiving elements: sums the shares per patch first,
 /// except for patches made by splits.
-void receiveByPatches(const Arrival& arrival, const glm::dvec3& reflectance, const Grid& grid,
-                      std::span<const std::uint32_t> patchOf, std::span<glm::dvec3> received,
-                      ReceivingPatches patches) {
+std::int64_t receiveByPatches(const Arrival& arrival, const SurfaceValues& reflectances, const Grid& grid,
+                              std::span<const std::uint32_t> patchOf, std::span<glm::dvec3> received,
+                              ReceivingPatches patches) {
+  const glm::dvec3 reflectance = reflectances.of(grid.firstElement);
   std::vector<std::uint64_t> shareOf(grid.patchCount);
-  receive(arrival, received,
-          [&, elements = arrival.elements, firstPatch = grid.firstPatch](std::size_t i, const glm::dvec3& light) {
-            const std::uint32_t patch = patchOf[elements[i]];
-            if (patch - firstPatch < shareOf.size())
-              shareOf[patch - firstPatch] += arrival.shares[i];
-            else
-              patches.add(patch, light * reflectance);
-          });
+  const std::int64_t units =
+      receive(arrival, reflectances, received,
+              [&, elements = arrival.elements, firstPatch = grid.firstPatch](std::size_t i, const glm::dvec3& light) {
+                const std::uint32_t patch = patchOf[elements[i]];
+                if (patch - firstPatch < shareOf.size())
+                  shareOf[patch - firstPatch] += arrival.shares[i];
+                else
+                  patches.add(patch, light * reflectance);
+              });
   const glm::dvec3 reflected = arrival.shot * reflectance;
   for (std::uint32_t p = 0; p < grid.patchCount; ++p)
     if (shareOf[p] != 0) patches.add(grid.firstPatch + p, reflected * formFactor(shareOf[p]));
+  return units;
 }
 
 /// The effects of a part of a row.
 struct Receipt {
   std::vector<std::uint32_t> blocks;  ///< of receiving patches
   std::size_t visits = 0;             ///< number of elements and patches visited
+  std::int64_t seenUnits = 0;         ///< absorbed by seen surfaces
+};
+
+/// The surfaces whose absorbed flux is summed.
+struct SeenSurfaces {
+  const std::vector<bool>& surfaces;  ///< one per surface, or none
+  double unitsPerFlux;
 };
 
 /// Applies a shot to all entries of a part, surface by surface.
-Receipt receive(const Part& part, const glm::dvec3& shot, const FormFactorRow& row, const Scene& scene,
-                const Discretization& discretization, std::span<const std::uint32_t> patchOf,
+Receipt receive(const Part& part, const glm::dvec3& shot, const FormFactorRow& row, const SeenSurfaces& seen,
+                const Scene& scene, const Discretization& discretization, std::span<const std::uint32_t> patchOf,
                 std::span<glm::dvec3> received, UnshotTree& unshot) {
-  Receipt receipt{.blocks = {}, .visits = part.end - part.first};
+  Receipt receipt{.blocks = {}, .visits = part.end - part.first, .seenUnits = 0};
   for (std::size_t first = part.first, end = part.first; first < part.end; first = end) {
     const std::uint32_t surface = discretization.elements[row.elements[first]].surface;
     const Grid& grid = discretization.grids[surface];
@@ -119,16 +148,16 @@ Receipt receive(const Part& part, const glm::dvec3& shot, const FormFactorRow& r
     end = static_cast<std::size_t>(behind - row.elements.begin());
     const std::size_t count = end - first;
     const Arrival arrival{std::span(row.elements).subspan(first, count), std::span(row.shares).subspan(first, count),
-                          shot};
+                          shot, !seen.surfaces.empty() && seen.surfaces[surface] ? seen.unitsPerFlux : 0};
     const SurfaceValues reflectance = reflectances(scene, discretization, surface);
     const ReceivingPatches patches(unshot, receipt.blocks);
     // The pass over patches must not be longer than that over entries: a row may contain few elements of a large
     // surface.
     if (reflectance.areEqual() && grid.patchCount <= count / 2) {
-      receiveByPatches(arrival, reflectance.of(grid.firstElement), grid, patchOf, received, patches);
+      receipt.seenUnits += receiveByPatches(arrival, reflectance, grid, patchOf, received, patches);
       receipt.visits += grid.patchCount;
     } else {
-      receiveByElements(arrival, reflectance, patchOf, received, patches);
+      receipt.seenUnits += receiveByElements(arrival, reflectance, patchOf, received, patches);
     }
   }
   return receipt;
@@ -191,18 +220,19 @@ std::size_t ShootingState::shoot(std::uint32_t patch, const FormFactorRow& row) 
   const glm::dvec3 shot = unshot_.flux()[patch];
   light_.shot[patch] += shot;
   unshot_.clear(patch);
-  absorbed_.clear();
   const std::vector<Part> parts = partsOf(row, discretization_);
   std::vector<Receipt> receipts(parts.size());
   // Patches belong to one surface, so that no two threads change the same patch.
   raster::parallelFor(parts.size(), [&](std::size_t i) {
-    receipts[i] = receive(parts[i], shot, row, scene_, discretization_, patches_.ofElement, light_.received, unshot_);
+    receipts[i] = receive(parts[i], shot, row, {seen_, unitsPerFlux_}, scene_, discretization_, patches_.ofElement,
+                          light_.received, unshot_);
   });
   std::vector<std::uint32_t> blocks{patch / UnshotTree::patchesInBlock};
   std::size_t visits = 0;
   for (const Receipt& receipt : receipts) {
     blocks.insert(blocks.end(), receipt.blocks.begin(), receipt.blocks.end());
     visits += receipt.visits;
+    seenUnits_ += receipt.seenUnits;
   }
   lost_.add(shot * formFactor(row.background + row.back));
   lostToBacks_.add(shot * formFactor(row.back));
@@ -212,15 +242,14 @@ std::size_t ShootingState::shoot(std::uint32_t patch, const FormFactorRow& row) 
 }
 
 Energy ShootingState::energy() const {
-  KahanSum absorbed, unshot;
-  for (const glm::dvec3& flux : absorbedBySurfaces()) absorbed.add(flux);
+  KahanSum unshot;
   for (const glm::dvec3& flux : unshot_.flux()) unshot.add(flux);
-  return {emitted_, absorbed.value(), unshot.value(), lost_.value(), lostToBacks_.value(), light_.outside.onBacks};
+  return {emitted_, absorbed(), unshot.value(), lost_.value(), lostToBacks_.value(), light_.outside.onBacks};
 }
 
-/// The flux that the elements of each surface received and do not reflect. Short sums are plain sums, which are four
-/// times as fast and lose at most one digit.
-std::vector<glm::dvec3> ShootingState::absorbedBySurfaces() const {
+/// The flux that the elements received and do not reflect. Short sums are plain sums, which are four times as fast and
+/// lose at most one digit.
+glm::dvec3 ShootingState::absorbed() const {
   constexpr std::uint32_t summedPlainly = 64;
   std::vector<glm::dvec3> ofSurfaces(discretization_.grids.size());
   raster::parallelFor(ofSurfaces.size(), [&](std::size_t s) {
@@ -235,39 +264,45 @@ std::vector<glm::dvec3> ShootingState::absorbedBySurfaces() const {
     }
     ofSurfaces[s] = sum.value();
   });
-  return ofSurfaces;
+  KahanSum sum;
+  for (const glm::dvec3& ofSurface : ofSurfaces) sum.add(ofSurface);
+  return sum.value();
 }
 
 double ShootingState::residual() const {
   return light_.lastEmitted > 0 ? (bandSum(unshot_.sizes()) + light_.stale) / light_.lastEmitted : 0;
 }
 
-/// Visits the elements once per shot.
-double ShootingState::absorbedBy(const std::vector<bool>& surfaces) {
-  if (absorbed_.empty()) absorbed_ = absorbedBySurfaces();
-  double absorbed = 0;
-  for (std::uint32_t s = 0; s < surfaces.size(); ++s)
-    if (surfaces[s]) absorbed += bandSum(absorbed_[s]);
-  return absorbed;
+void ShootingState::setSeen(std::vector<bool> surfaces) {
+  constexpr int bits = 52;  // of the emitted flux, which is about all that is ever absorbed
+  seen_ = std::move(surfaces);
+  unitsPerFlux_ = light_.lastEmitted > 0 ? std::ldexp(1.0, bits - std::ilogb(light_.lastEmitted)) : 1;
+  seenUnits_ = 0;
+  for (std::uint32_t s = 0; s < seen_.size(); ++s) {
+    if (!seen_[s]) continue;
+    const SurfaceValues reflectance = reflectances(scene_, discretization_, s);
+    for (const std::uint32_t element : elementsOf(discretization_.grids[s]))
+      seenUnits_ += absorbedUnits(light_.received[element], reflectance.of(element), unitsPerFlux_);
+  }
 }
 
-double ShootingState::seenResidual(const std::vector<bool>& seen) {
+double ShootingState::seenResidual() const {
   double unshot = 0;
-  for (std::size_t p = 0; p < patches_.list.size() && !seen.empty(); ++p)
-    if (seen[patches_.list[p].surface]) unshot += bandSum(glm::abs(unshot_.flux()[p]));
-  return unshot > 0 ? unshot / absorbedBy(seen) : 0;
+  for (std::size_t p = 0; p < patches_.list.size() && !seen_.empty(); ++p)
+    if (seen_[patches_.list[p].surface]) unshot += bandSum(glm::abs(unshot_.flux()[p]));
+  return unshot > 0 ? unshot / (static_cast<double>(seenUnits_) / unitsPerFlux_) : 0;
 }
 
-double ShootingState::seenGain(std::uint32_t patch, const FormFactorRow& row, const std::vector<bool>& seen) {
+double ShootingState::seenGain(std::uint32_t patch, const FormFactorRow& row) const {
   const glm::dvec3 flux = glm::abs(unshot(patch));
   double gain = 0;
   for (std::size_t i = 0; i < row.elements.size(); ++i) {
     const std::uint32_t element = row.elements[i], surface = discretization_.elements[element].surface;
-    if (!seen[surface]) continue;
+    if (!seen_[surface]) continue;
     const glm::dvec3& reflectance = reflectances(scene_, discretization_, surface).of(element);
     gain += bandSum(flux * (1.0 - reflectance)) * formFactor(row.shares[i]);
   }
-  return gain > 0 ? gain / (gain + absorbedBy(seen)) : 0;
+  return gain > 0 ? gain / (gain + static_cast<double>(seenUnits_) / unitsPerFlux_) : 0;
 }
 
 std::vector<glm::dvec3> ShootingState::irradiance() const {

@@ -101,12 +101,14 @@ class ShootingState {
   /// The sum of absolute unshot flux of all patches and of the stale flux, over the emitted flux, bands summed. If
   /// nothing is emitted, over the flux emitted last; 0 if nothing ever was.
   double residual() const;
+  /// Chooses the surfaces that seenResidual and seenGain are about: one value per surface, or none.
+  void setSeen(std::vector<bool> surfaces);
   /// As residual, of the seen surfaces alone: the absolute unshot flux of their patches over the flux that they have
-  /// absorbed. `seen` has one value per surface; 0 if it is empty.
-  double seenResidual(const std::vector<bool>& seen);
+  /// absorbed. 0 if none is seen.
+  double seenResidual() const;
   /// The share of the flux absorbed by seen surfaces that the patch would add directly if it shot along `row`; bands
-  /// summed.
-  double seenGain(std::uint32_t patch, const FormFactorRow& row, const std::vector<bool>& seen);
+  /// summed. Visits the elements of the row.
+  double seenGain(std::uint32_t patch, const FormFactorRow& row) const;
   /// Irradiance of the elements, W/m^2 per band: received flux over area.
   std::vector<glm::dvec3> irradiance() const;
   /// Radiosity of the elements, W/m^2 per band: flux over area. Reuses the memory of the received flux.
@@ -115,8 +117,7 @@ class ShootingState {
   Patches takePatches() { return std::move(patches_); }
 
  private:
-  double absorbedBy(const std::vector<bool>& surfaces);
-  std::vector<glm::dvec3> absorbedBySurfaces() const;
+  glm::dvec3 absorbed() const;
   glm::dvec3 unshotOf(std::uint32_t patch) const;
   std::vector<glm::dvec3> unshotByPatches() const;
 
@@ -124,8 +125,12 @@ class ShootingState {
   const Discretization& discretization_;
   Patches patches_;
   ShotLight light_;
-  UnshotTree unshot_;                 ///< one per patch
-  std::vector<glm::dvec3> absorbed_;  ///< one per surface; empty if it has to be summed again
+  UnshotTree unshot_;       ///< one per patch
+  std::vector<bool> seen_;  ///< one per surface, or none
+  /// Units of flux that the elements of seen surfaces have absorbed, bands summed. Whole numbers have the same sum in
+  /// any order, so that it can follow the shots, and is that of a state which was stored.
+  std::int64_t seenUnits_ = 0;
+  double unitsPerFlux_ = 0;
   glm::dvec3 emitted_{0.0};
   KahanSum lost_, lostToBacks_;
 };
