@@ -12,15 +12,25 @@
 namespace hemitex::radiosity {
 namespace {
 
-constexpr std::string_view blanks = " \t";
+// Plain comparisons: these functions see each character of a file, and std::string_view searches slowly for one of two.
+bool isBlank(char c) { return c == ' ' || c == '\t'; }
+bool isLineEnd(char c) { return c == '\n' || c == '\r'; }
 
 std::string_view trim(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(blanks);
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(blanks) - first + 1);
+  while (!text.empty() && isBlank(text.front())) text.remove_prefix(1);
+  while (!text.empty() && isBlank(text.back())) text.remove_suffix(1);
+  return text;
 }
 
-bool isBlank(char c) { return blanks.find(c) != std::string_view::npos; }
+/// Removes what stands before the first of some characters from `text`, and returns it.
+template <typename IsEnd>
+std::string_view takeUntil(const IsEnd& isEnd, std::string_view& text) {
+  std::size_t length = 0;
+  while (length < text.size() && !isEnd(text[length])) ++length;
+  const std::string_view taken = text.substr(0, length);
+  text.remove_prefix(length);
+  return taken;
+}
 
 std::string_view withoutComment(std::string_view line) {
   for (std::size_t at = line.find('#'); at != std::string_view::npos; at = line.find('#', at + 1)) {
@@ -33,16 +43,15 @@ std::string_view withoutComment(std::string_view line) {
 
 /// Removes the first line from `text`, with its line end, and returns it.
 std::string_view takeLine(std::string_view& text) {
-  const std::size_t length = std::min(text.find_first_of("\r\n"), text.size());
-  const std::string_view line = text.substr(0, length);
-  text.remove_prefix(length);
+  const std::string_view line = takeUntil(isLineEnd, text);
   text.remove_prefix(text.starts_with("\r\n") ? 2 : std::min<std::size_t>(text.size(), 1));
   return line;
 }
 
 double readNumber(std::string_view word, const Place& place) {
   const std::optional<double> number = numberOf(word);
-  if (number && std::isfinite(*number)) return *number + 0.0;         // turns -0 into 0: equal numbers have equal bits
+  // The sum turns -0 into 0, so that equal numbers have equal bits.
+  if (number && std::isfinite(*number)) return *number + 0.0;
   const bool isName = word.find_first_of("0123456789") == word.npos;  // such as inf
   fail(place, "'" + raster::excerpt(word) + "' is " +
                   (!number  ? "not a number"
@@ -64,8 +73,9 @@ std::optional<TextLine> LineReader::next() {
     if (line.empty()) continue;
     if (line.find('\0') != std::string_view::npos)
       fail({file_, number_}, "the line has a NUL byte", "save the file as text in ASCII or UTF-8");
-    const std::size_t keywordLength = std::min(line.find_first_of(blanks), line.size());
-    return TextLine{number_, line, line.substr(0, keywordLength), trim(line.substr(keywordLength))};
+    std::string_view rest = line;
+    const std::string_view keyword = takeUntil(isBlank, rest);
+    return TextLine{number_, line, keyword, trim(rest)};
   }
   ++number_;
   return std::nullopt;
@@ -74,9 +84,7 @@ std::optional<TextLine> LineReader::next() {
 std::optional<std::string_view> nextWord(std::string_view& rest) {
   rest = trim(rest);
   if (rest.empty() || rest.front() == '#') return {};
-  const std::string_view word = rest.substr(0, rest.find_first_of(blanks));
-  rest.remove_prefix(word.size());
-  return word;
+  return takeUntil(isBlank, rest);
 }
 
 std::optional<double> numberOf(std::string_view word) {
