@@ -19,7 +19,6 @@
 #include "cli/common/launched_rank.h"
 #include "cli/common/staging.h"
 #include "cli/help/command_tree.h"
-#include "cli/help/completion.h"
 #include "cli/help/shell_files.h"
 #include "raster/base/input_error.h"
 #include "raster/base/memory_budget.h"
