@@ -8,7 +8,6 @@
 #include "raster/base/input_error.h"
 #include "reference/matrices/npz_file.h"
 #include "reference/matrices/text_matrices.h"
-#include "reference/matrices/view3d_matrix.h"
 
 namespace hemitex::reference {
 namespace {

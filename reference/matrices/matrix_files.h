@@ -3,7 +3,7 @@
 ///   .npz   SciPy's compressed rows (npz_file.h)             read and written
 ///   .mtx   Matrix Market (text_matrices.h)                  read and written
 ///   .csv   from, to, form factor (text_matrices.h)          read and written
-///   .vf    View3D, text and binary (view3d_matrix.h)        read
+///   .vf    View3D, text and binary (text_matrices.h)        read
 ///   .txt   row, column, value (text_matrices.h)             read
 #pragma once
 

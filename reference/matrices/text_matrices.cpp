@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "radiosity/base/text_lines.h"
+#include "radiosity/meshes/number_source.h"
 #include "raster/base/file_io.h"
 #include "raster/base/input_error.h"
 #include "raster/base/printable_text.h"
@@ -15,6 +16,8 @@ namespace hemitex::reference {
 namespace {
 
 using radiosity::fail, radiosity::LineReader, radiosity::nextWord, radiosity::Place, radiosity::takeIndex;
+
+constexpr const char* giveFile = "check the path, and that it is a file you may read";
 
 /// Writes lines of text. Numbers become words before, because a stream may write them as the locale says.
 class TextSink : public RowSink {
@@ -93,7 +96,7 @@ class CsvSink : public TextSink {
 
 /// The text of a file, in which commas and semicolons separate words as blanks do.
 std::string wordsOf(const std::filesystem::path& file) {
-  std::string text = raster::readFile(file, "check the path, and that it is a file you may read");
+  std::string text = raster::readFile(file, giveFile);
   std::replace_if(
       text.begin(), text.end(), [](char c) { return c == ',' || c == ';'; }, ' ');
   return text;
@@ -256,6 +259,42 @@ MatrixFile readTriples(const std::filesystem::path& file) {
     entry.column -= smallest;
   }
   return squareMatrix(std::move(entries), largest - smallest + std::uint64_t{1}, 0, file);
+}
+
+MatrixFile readView3dMatrix(const std::filesystem::path& file) {
+  constexpr std::size_t binaryHeader = 32;
+  const std::string bytes = raster::readFile(file, giveFile);
+  const Place first{file, 1};
+  std::string_view line(bytes.data(), std::min(bytes.find('\n'), bytes.size()));
+  const std::size_t textHeader = std::min(line.size() + 1, bytes.size());
+  if (line.ends_with('\r')) line.remove_suffix(1);
+  for (const char* what : {"the name of the program", "its version"})
+    if (!nextWord(line)) fail(first, std::string("the line ends before ") + what);
+  const bool isBinary = takeIndex(line, 1, first) == 1;
+  for (int flag = 0; flag < 2; ++flag) takeIndex(line, 1, first);  // an enclosure; factors with emittances
+  const std::uint64_t surfaces = takeIndex(line, maxColumns - 1, first);
+  if (surfaces == 0) fail(first, "there is no surface", "give a file with a matrix");
+
+  const std::size_t header = isBinary ? std::min(binaryHeader, bytes.size()) : textHeader;
+  radiosity::NumberSource numbers(std::string_view(bytes).substr(header),
+                                  isBinary ? radiosity::NumberEncoding::LittleEndian : radiosity::NumberEncoding::Text,
+                                  {file, isBinary ? 0 : 2});
+  const auto next = [&numbers] { return numbers.next(radiosity::NumberType::Float32); };
+  MatrixFile result{.matrix = {.columns = surfaces}};
+  for (std::uint64_t i = 0; i < surfaces; ++i) result.area.push_back(next());
+  for (std::uint64_t i = 0; i < surfaces; ++i) {
+    for (std::uint32_t j = 0; j < surfaces; ++j) {
+      const double value = next();
+      if (value == 0) continue;
+      result.matrix.column.push_back(j);
+      result.matrix.value.push_back(value);
+    }
+    result.matrix.rowStart.push_back(result.matrix.value.size());
+  }
+  for (std::uint64_t i = 0; i < surfaces; ++i) next();  // emittances
+  if (numbers.rest().find_first_not_of(isBinary ? "" : " \t\r\n") != std::string_view::npos)
+    fail(numbers.place(), "the file goes on behind the last emittance", "give the file as View3D wrote it");
+  return result;
 }
 
 std::unique_ptr<RowSink> matrixMarketSink(const std::filesystem::path& file, const MatrixHeading& heading) {
