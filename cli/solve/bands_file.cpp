@@ -9,6 +9,7 @@
 
 #include "cli/common/numbers.h"
 #include "radiosity/base/name_suggestions.h"
+#include "radiosity/base/text_lines.h"
 #include "radiosity/scene/mtl_file.h"
 #include "raster/base/file_io.h"
 #include "raster/base/input_error.h"
@@ -154,8 +155,8 @@ std::vector<std::string> fieldsOf(std::string_view line) {
   while (true) {
     const std::size_t comma = line.find(',');
     const std::string_view field = line.substr(0, comma);
-    const std::size_t first = std::min(field.find_first_not_of(" \t\r"), field.size());
-    fields.emplace_back(field.substr(first, field.find_last_not_of(" \t\r") + 1 - first));
+    const std::size_t first = std::min(field.find_first_not_of(" \t"), field.size());
+    fields.emplace_back(field.substr(first, field.find_last_not_of(" \t") + 1 - first));
     if (comma == std::string_view::npos) return fields;
     line.remove_prefix(comma + 1);
   }
@@ -172,15 +173,11 @@ std::vector<double> numbersBehind(const std::vector<std::string>& fields, int li
   return numbers;
 }
 
-void readCsv(std::string_view text, BandsReader& reader) {
-  int line = 0;
-  while (!text.empty()) {
-    ++line;
-    const std::size_t length = std::min(text.find('\n'), text.size());
-    const std::string_view content = text.substr(0, length);
-    text.remove_prefix(std::min(length + 1, text.size()));
-    if (content.find_first_not_of(" \t\r") == std::string_view::npos || content.starts_with('#')) continue;
-    const std::vector<std::string> fields = fieldsOf(content);
+void readCsv(std::string_view text, const std::filesystem::path& file, BandsReader& reader) {
+  radiosity::LineReader lines(text, file);
+  while (const auto content = lines.next()) {
+    const int line = content->number;
+    const std::vector<std::string> fields = fieldsOf(content->text);
     const bool isHeader = fields.size() > 2 && fields[0] == "material" && fields[1] == "quantity";
     if (isHeader != (reader.bands() == 0) || fields.size() < 3)
       reader.fail(line, reader.bands() == 0 ? "is no header of bands" : "is no line of values", csvForm);
@@ -202,7 +199,7 @@ BandsFile readBands(const std::filesystem::path& file, const radiosity::Scene& s
   if (first != std::string::npos && (text[first] == '{' || text[first] == '['))
     readJson(text, file, reader);
   else
-    readCsv(text, reader);
+    readCsv(text, file, reader);
   return std::move(reader).result();
 }
 

@@ -48,17 +48,6 @@ std::string_view takeLine(std::string_view& text) {
   return line;
 }
 
-double readNumber(std::string_view word, const Place& place) {
-  const std::optional<double> number = numberOf(word);
-  // The sum turns -0 into 0, so that equal numbers have equal bits.
-  if (number && std::isfinite(*number)) return *number + 0.0;
-  const bool isName = word.find_first_of("0123456789") == word.npos;  // such as inf
-  fail(place, "'" + raster::excerpt(word) + "' is " +
-                  (!number  ? "not a number"
-                   : isName ? "not a finite number"
-                            : "outside the range of binary64"));
-}
-
 }  // namespace
 
 LineReader::LineReader(std::string_view text, const std::filesystem::path& file) : text_(text), file_(file) {
@@ -96,6 +85,17 @@ std::optional<double> numberOf(std::string_view word) {
   const bool isSmall = word.find('-', 1) != word.npos;  // a minus sign of the exponent
   constexpr double infinity = std::numeric_limits<double>::infinity();
   return isSmall ? 0 : word.front() == '-' ? -infinity : infinity;
+}
+
+double readNumber(std::string_view word, const Place& place) {
+  const std::optional<double> number = numberOf(word);
+  // The sum turns -0 into 0, so that equal numbers have equal bits.
+  if (number && std::isfinite(*number)) return *number + 0.0;
+  const bool isName = word.find_first_of("0123456789") == word.npos;  // such as inf
+  fail(place, "'" + raster::excerpt(word) + "' is " +
+                  (!number  ? "not a number"
+                   : isName ? "not a finite number"
+                            : "outside the range of binary64"));
 }
 
 std::uint64_t takeIndex(std::string_view& rest, std::uint64_t most, const Place& place) {

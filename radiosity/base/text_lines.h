@@ -49,6 +49,8 @@ std::optional<std::string_view> nextWord(std::string_view& rest);
 
 /// The number of a word, infinite above the range of binary64; nothing for a word that is no number.
 std::optional<double> numberOf(std::string_view word);
+/// As numberOf, but throws InputError if the word is no finite number.
+double readNumber(std::string_view word, const Place& place);
 
 /// Removes the next word from `rest` and returns it as an integer from 0 to `most`. Throws InputError if it is none.
 std::uint64_t takeIndex(std::string_view& rest, std::uint64_t most, const Place& place);

@@ -64,10 +64,8 @@ std::string_view NumberSource::word() {
 
 double NumberSource::next(NumberType type) {
   if (encoding_ == NumberEncoding::Text) {
-    std::array<double, 1> number{};
-    std::string_view text = word();
-    if (readNumbers(text, number, place()) == 0) fail(place(), "a number is missing");
-    return number[0];
+    const std::string_view text = word();
+    return readNumber(text, place());
   }
   const std::size_t size = bytesOf(type);
   if (bytes_.size() < size) fail(place(), "the file ends where a number is missing", giveWhole);

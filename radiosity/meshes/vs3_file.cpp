@@ -85,10 +85,9 @@ class Vs3Reader {
       if (takeIndex(rest, 0xffffffff, place) != 0)
         fail(place, "a surface inside of another is not read", "divide the other one into surfaces beside it");
       if (takeIndex(rest, 0xffffffff, place) != 0) ++combined_;
-      std::array<double, 1> emittance{1};
-      if (const auto word = nextWord(rest)) readNumbers(*word, emittance, place);
-      if (!(emittance[0] >= 0 && emittance[0] <= 1)) fail(place, "an emittance is from 0 to 1");
-      reflectance = 1 - emittance[0];
+      const double emittance = readNumber(nextWord(rest).value_or("1"), place);
+      if (!(emittance >= 0 && emittance <= 1)) fail(place, "an emittance is from 0 to 1");
+      reflectance = 1 - emittance;
       name = std::string(nextWord(rest).value_or("surface"));
     }
     startSection(name);

@@ -106,9 +106,7 @@ Archive openForReading(const std::filesystem::path& file) {
   throw raster::InputError(file.string(), 0, "cannot be read as a ZIP archive", saveAgain);
 }
 
-Archive openForWriting(const std::filesystem::path& file) {
-  Archive archive(zip_open(file.c_str(), ZIP_CREATE | ZIP_TRUNCATE, nullptr));
-  if (archive) return archive;
+[[noreturn]] void failWriting(const std::filesystem::path& file) {
   throw raster::InputError(file.string(), 0, "cannot be written", "check the disk");
 }
 
@@ -240,21 +238,17 @@ class SpooledArray {
     stream_.write(reinterpret_cast<const char*>(values.data()),
                   static_cast<std::streamsize>(values.size() * valueBytes_));
     count_ += values.size();
-    if (!stream_) failWriting();
+    if (!stream_) failWriting(file_);
   }
   void finish() {
     stream_.seekp(0);
     stream_ << toBytes({type_, {count_}});
     stream_.close();
-    if (!stream_) failWriting();
+    if (!stream_) failWriting(file_);
   }
   const std::filesystem::path& file() const { return file_; }
 
  private:
-  [[noreturn]] void failWriting() const {
-    throw raster::InputError(file_.string(), 0, "cannot be written", "check the disk");
-  }
-
   std::filesystem::path file_;
   std::string type_;
   std::size_t valueBytes_;
@@ -282,7 +276,8 @@ class NpzSink : public RowSink {
     indices_.finish();
     data_.finish();
     if (error_) error_->finish();
-    archive_ = openForWriting(file_);
+    archive_.reset(zip_open(file_.c_str(), ZIP_CREATE | ZIP_TRUNCATE, nullptr));
+    if (!archive_) failWriting(file_);
     addFile("indices", indices_.file());
     if (rowStart_.back() <= std::numeric_limits<std::int32_t>::max())
       addArray("indptr", "<i4", std::vector<std::int32_t>(rowStart_.begin(), rowStart_.end()));
@@ -294,7 +289,7 @@ class NpzSink : public RowSink {
     if (error_) addFile("error", error_->file());
     addArray("area", "<f8", heading_.area);
     addText("about", aboutMatrix(heading_));
-    if (zip_close(archive_.get()) != 0) fail();
+    if (zip_close(archive_.get()) != 0) failWriting(file_);
     archive_.release();
     removeSpools();
   }
@@ -325,20 +320,18 @@ class NpzSink : public RowSink {
     add(name, zip_source_file(archive_.get(), file.c_str(), 0, -1));
   }
   void add(const std::string& name, zip_source_t* source) {
-    if (source == nullptr) fail();
+    if (source == nullptr) failWriting(file_);
     const zip_int64_t index = zip_file_add(archive_.get(), (name + ".npy").c_str(), source, ZIP_FL_ENC_UTF_8);
     if (index < 0) {
       zip_source_free(source);
-      fail();
+      failWriting(file_);
     }
     const auto member = static_cast<zip_uint64_t>(index);
     constexpr zip_uint16_t firstDay = 1 << 5 | 1;  // 1 January 1980, as NumPy writes
     if (zip_set_file_compression(archive_.get(), member, ZIP_CM_STORE, 0) != 0 ||
         zip_file_set_dostime(archive_.get(), member, 0, firstDay, 0) != 0)
-      fail();
+      failWriting(file_);
   }
-  [[noreturn]] void fail() { throw raster::InputError(file_.string(), 0, "cannot be written", "check the disk"); }
-
   std::filesystem::path file_;
   MatrixHeading heading_;
   SpooledArray indices_, data_;
