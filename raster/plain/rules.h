@@ -18,8 +18,8 @@ namespace hemitex::raster {
 
 // ------------------------------------------------------------------------------------------------------------- 1. view
 
-/// A vertex as the eye sees it: to the right, up the rows and forward, with its texture coordinate. The picture plane
-/// is w = 1, and shows x/w and y/w.
+/// A vertex as the eye sees it: x to the right, y towards larger rows and w forward, with its texture coordinate. The
+/// picture plane is w = 1, and shows x/w and y/w.
 struct ViewVertex {
   double x, y, w;
   double u, v;
@@ -141,7 +141,8 @@ struct SnappedPoint {
   std::int64_t x, y;
 };
 
-/// The place of q = x/w or y/w in units of 1/256 pixel. The clamp removes the rounding error of clipping.
+/// The place of q = x/w or y/w in units of 1/256 pixel, not yet rounded. The clamp removes the rounding error of
+/// clipping.
 inline double subPixels(double q, int resolution) {
   return (std::clamp(q, -guardBand, guardBand) + 1) * (128.0 * resolution);
 }
@@ -181,6 +182,7 @@ struct SnappedTriangle {
   std::int64_t sign() const { return area > 0 ? 1 : -1; }
 };
 
+/// The triangle of three vertices and their corners on the picture, with its area and facing.
 inline SnappedTriangle snappedTriangle(const Face& face, const std::array<ViewVertex, 3>& vertices,
                                        const std::array<SnappedPoint, 3>& corners) {
   SnappedTriangle triangle{.vertices = vertices, .corners = corners};

@@ -4,7 +4,7 @@
 #include <cassert>
 #include <optional>
 
-#include "reference/conformance/verdict/triangle_bounds.h"
+#include "raster/plain/rules.h"
 
 namespace hemitex::reference {
 namespace {
@@ -24,8 +24,6 @@ std::int64_t snapTo(std::int64_t coordinate, std::int64_t step, SnapRounding rou
   // Steps are powers of two: clearing the lower bits rounds down, also for negative numbers.
   return raised & -step;
 }
-
-std::int64_t cross(const glm::i64vec2& p, const glm::i64vec2& q) { return p.x * q.y - p.y * q.x; }
 
 struct Snapping {
   int bits;
@@ -200,18 +198,17 @@ void calibrateDepths(const ProbingSet& probes, std::span<const ItemBuffer> answe
 
 Coverage coverageOf(const CoverageProbe& probe, int subpixelBits, SnapRounding rounding) {
   const std::int64_t step = pixelUnits >> subpixelBits;
-  std::array<glm::i64vec2, 3> s;
+  std::array<raster::SnappedPoint, 3> corners;
   for (std::size_t k = 0; k < 3; ++k)
-    s[k] = {snapTo(probe.corners[k].x, step, rounding), snapTo(probe.corners[k].y, step, rounding)};
-  const std::int64_t area = cross(s[1] - s[0], s[2] - s[0]);
-  if (area == 0) return Coverage::Outside;
+    corners[k] = {snapTo(probe.corners[k].x, step, rounding), snapTo(probe.corners[k].y, step, rounding)};
+  const raster::SnappedTriangle triangle = raster::snappedTriangle({}, {}, corners);
+  if (triangle.area == 0) return Coverage::Outside;
+  const raster::Weights weights = weightsAt(triangle, {0, 0});
   Coverage coverage = Coverage::Inside;
   for (std::size_t k = 0; k < 3; ++k) {
-    const glm::i64vec2 along = std::int64_t{area > 0 ? 1 : -1} * (s[(k + 1) % 3] - s[k]);
-    const std::int64_t value = cross(along, -s[k]);
-    if (value < 0) return Coverage::Outside;
-    if (value > 0 || coverage == Coverage::OnOtherEdge) continue;
-    coverage = isTopOrLeft(along) ? Coverage::OnIncludedEdge : Coverage::OnOtherEdge;
+    if (weights[k] < 0) return Coverage::Outside;
+    if (weights[k] > 0 || coverage == Coverage::OnOtherEdge) continue;
+    coverage = raster::ownsSamples(directionOf(triangle, k)) ? Coverage::OnIncludedEdge : Coverage::OnOtherEdge;
   }
   return coverage;
 }

@@ -14,18 +14,23 @@ using raster::ItemId;
 struct Candidate {
   const DeviceTriangle* triangle;
   Region region;
-  bool covers;  ///< by the rules
+  raster::CoveredSample covered;  ///< by the rules; none where they do not cover the sample
 
+  bool covers() const { return covered.triangle; }
   double nearest() const { return triangle->depthSlack < 1 ? region.nearest / (1 - triangle->depthSlack) : HUGE_VAL; }
   double farthest() const { return region.farthest / (1 + triangle->depthSlack); }
 };
 
 std::vector<Candidate> candidatesAt(const JudgedFace& face, std::span<const DeviceTriangle* const> triangles,
-                                    const glm::dvec2& sample) {
+                                    const raster::SnappedPoint& sample) {
   std::vector<Candidate> candidates;
   for (const DeviceTriangle* triangle : triangles)
-    if (const auto region = regionAt(*triangle, sample, face.profile.edgeRule))
-      candidates.push_back({triangle, *region, coversByRule(*triangle, sample)});
+    if (const auto region = regionAt(*triangle, {sample.x, sample.y}, face.profile.edgeRule)) {
+      candidates.push_back({triangle, *region, {}});
+      const raster::Weights weights = weightsAt(*triangle, sample);
+      if (triangle->area != 0 && raster::covers(*triangle, weights))
+        candidates.back().covered = coveredSample(*triangle, weights);
+    }
   return candidates;
 }
 
@@ -33,7 +38,7 @@ std::vector<Candidate> candidatesAt(const JudgedFace& face, std::span<const Devi
 
 using Corner = std::tuple<double, double, double>;
 
-Corner cornerOf(const DeviceVertex& vertex) { return {vertex.view.x, vertex.view.y, vertex.view.w}; }
+Corner cornerOf(const raster::ViewVertex& vertex) { return {vertex.x, vertex.y, vertex.w}; }
 
 /// An edge that may pass over the sample, its ends in order.
 struct PassingEdge {
@@ -87,7 +92,7 @@ double certainDepth(const JudgedFace& face, const std::vector<Candidate>& candid
   std::vector<Sheet> sheets(candidates.size());
   for (std::size_t c = 0; c < candidates.size(); ++c) {
     Sheet& sheet = sheets[groups.find_set(c)];
-    if (candidates[c].covers) sheet.winding += candidates[c].triangle->area > 0 ? 1 : -1;
+    if (candidates[c].covers()) sheet.winding += candidates[c].triangle->area > 0 ? 1 : -1;
     // The near plane may clip the part in front of it.
     sheet.hasBoundary |= hasBoundary[c] != 0 || candidates[c].nearest() > face.nearest;
     sheet.farthest = std::min(sheet.farthest, candidates[c].farthest());
@@ -106,8 +111,8 @@ struct TexelRange {
 };
 
 TexelRange texelRange(const JudgedFace& face, const Candidate& candidate, int axis, int size) {
-  const std::array<DeviceVertex, 3>& vertices = candidate.triangle->vertices;
-  const auto coordinate = [axis](const DeviceVertex& v) { return axis == 0 ? v.view.u : v.view.v; };
+  const std::array<raster::ViewVertex, 3>& vertices = candidate.triangle->vertices;
+  const auto coordinate = [axis](const raster::ViewVertex& v) { return axis == 0 ? v.u : v.v; };
   const auto [low, high] = std::minmax({coordinate(vertices[0]), coordinate(vertices[1]), coordinate(vertices[2])});
   // u is the average of the vertices' u with weights b/w. If w is off by a factor from 1 - e to 1 + e, the ratio of two
   // weights changes by a factor of at most r = (1 + e)/(1 - e). A normalized weight p then becomes at most
@@ -145,7 +150,7 @@ bool mayGive(const JudgedFace& face, const Candidate& candidate, ItemId id) {
 
 bool haveSameCorners(const DeviceTriangle& a, const DeviceTriangle& b) {
   return std::equal(a.vertices.begin(), a.vertices.end(), b.vertices.begin(),
-                    [](const DeviceVertex& p, const DeviceVertex& q) { return cornerOf(p) == cornerOf(q); });
+                    [](const auto& p, const auto& q) { return cornerOf(p) == cornerOf(q); });
 }
 
 /// Whether an earlier candidate has the same corners. Then it covers the same samples at the same depths on every
@@ -156,17 +161,10 @@ bool hasEarlierTwin(const std::vector<Candidate>& candidates, const Candidate& c
 }
 
 /// The candidate that the rules show; null for the background.
-const Candidate* expectedOf(const std::vector<Candidate>& candidates, const glm::dvec2& sample) {
+const Candidate* expectedOf(const std::vector<Candidate>& candidates) {
   const Candidate* expected = nullptr;
-  double depth = 0;
-  for (const Candidate& candidate : candidates) {
-    if (!candidate.covers) continue;
-    const double inverse = inverseDepthAt(*candidate.triangle, sample);
-    if (inverse > depth) {
-      expected = &candidate;
-      depth = inverse;
-    }
-  }
+  for (const Candidate& candidate : candidates)
+    if (candidate.covers() && (!expected || isNearer(candidate.covered, expected->covered))) expected = &candidate;
   return expected;
 }
 
@@ -178,23 +176,23 @@ JudgedFace judgedFace(const raster::DrawList& list, const raster::Face& face, co
   return {list, profile, 2 * depthError(profile) / nearDistance, 1 / nearDistance};
 }
 
-PixelVerdict judgeId(const JudgedFace& face, std::span<const DeviceTriangle* const> triangles, const glm::dvec2& sample,
-                     ItemId found) {
+PixelVerdict judgeId(const JudgedFace& face, std::span<const DeviceTriangle* const> triangles,
+                     const raster::SnappedPoint& sample, ItemId found) {
   const std::vector<Candidate> candidates = candidatesAt(face, triangles, sample);
-  const double certain = certainDepth(face, candidates, sample);
+  const double certain = certainDepth(face, candidates, {sample.x, sample.y});
   if (found == raster::backgroundId(face.list.format))
     return certain > 0 ? PixelVerdict::Error : PixelVerdict::Coverage;
 
-  const Candidate* const expected = expectedOf(candidates, sample);
+  const Candidate* const expected = expectedOf(candidates);
   PixelVerdict verdict = PixelVerdict::Error;
   for (const Candidate& candidate : candidates) {
     const double nearest = candidate.nearest() + face.depthTolerance;
     if (nearest < certain || !mayGive(face, candidate, found)) continue;
     if (face.profile.strictDepth && hasEarlierTwin(candidates, candidate)) continue;
-    // Rounding may exchange coplanar triangles in expectedOf. Without a texel to differ in, this one won by depth.
+    // Without a texel to differ in, the triangle may show its other side.
     const bool hasTexel = face.list.draws[candidate.triangle->draw].indexMap.has_value();
     if (&candidate == expected) return hasTexel ? PixelVerdict::Texel : PixelVerdict::Depth;
-    const bool passesExpected = candidate.covers && nearest >= expected->farthest();
+    const bool passesExpected = candidate.covers() && nearest >= expected->farthest();
     if (passesExpected) verdict = PixelVerdict::Depth;
     if (verdict == PixelVerdict::Error) verdict = PixelVerdict::Coverage;
   }

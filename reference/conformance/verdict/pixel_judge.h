@@ -40,7 +40,7 @@ JudgedFace judgedFace(const raster::DrawList& list, const raster::Face& face, co
 
 /// Coverage, Texel, Depth or Error for an item ID that differs from the rules' at a sample. `triangles` holds at least
 /// all triangles that may cover the sample, in draw order.
-PixelVerdict judgeId(const JudgedFace& face, std::span<const DeviceTriangle* const> triangles, const glm::dvec2& sample,
-                     raster::ItemId found);
+PixelVerdict judgeId(const JudgedFace& face, std::span<const DeviceTriangle* const> triangles,
+                     const raster::SnappedPoint& sample, raster::ItemId found);
 
 }  // namespace hemitex::reference

@@ -4,6 +4,7 @@
 #include <boost/container/static_vector.hpp>
 #include <cmath>
 
+#include "raster/base/cross.h"
 #include "reference/conformance/trace/fragments.h"
 
 namespace hemitex::reference {
@@ -48,11 +49,8 @@ double looseReachOf(const DeviceProfile& profile, double error) {
 /// Places vertices on the viewport of a face.
 struct Placement {
   const DeviceProfile& profile;
-  double subPixels;  ///< a unit of x/w
-  double roundoff;   ///< relative to sums of sizes
-
-  Placement(const DeviceProfile& deviceProfile, const raster::Face& face)
-      : profile(deviceProfile), subPixels(128.0 * face.resolution), roundoff(deviceProfile.vertexError * 0x1p-24) {}
+  int resolution;
+  double roundoff;  ///< relative to sums of sizes
 
   /// Relative error of w.
   double depthSlack(const ViewVertex& sizes) const { return roundoff * sizes.v / sizes.w; }
@@ -60,22 +58,21 @@ struct Placement {
   /// The error of q = x/w in sub-pixels: that of x and of w, then of the division and the viewport.
   double error(double q, const ViewVertex& sizes) const {
     const double slack = depthSlack(sizes);
-    if (slack >= 0.5) return 2 * raster::guardBand * subPixels;
+    const double unit = 128.0 * resolution;
+    if (slack >= 0.5) return 2 * raster::guardBand * unit;
     const double relative = (roundoff * sizes.u / sizes.w + std::abs(q) * slack) / (1 - slack);
-    return subPixels * (relative + roundoff * (std::abs(q) + 1));
+    return unit * (relative + roundoff * (std::abs(q) + 1));
   }
 
-  DeviceVertex place(const ViewVertex& view, const ViewVertex& sizes, bool loose) const {
-    DeviceVertex vertex{view, {}, {}};
+  /// The reach of a vertex along each axis.
+  glm::dvec2 reach(const ViewVertex& view, const ViewVertex& sizes, bool loose) const {
+    glm::dvec2 reach;
     const glm::dvec2 q(view.x / view.w, view.y / view.w);
     for (int axis = 0; axis < 2; ++axis) {
-      const double position = (std::clamp(q[axis], -raster::guardBand, raster::guardBand) + 1) * subPixels;
-      const double offBy = error(q[axis], sizes);
-      vertex.position[axis] = std::nearbyint(position);
-      vertex.reach[axis] =
-          loose ? looseReachOf(profile, offBy) : reachOf(profile, position, offBy, vertex.position[axis]);
+      const double position = raster::subPixels(q[axis], resolution), offBy = error(q[axis], sizes);
+      reach[axis] = loose ? looseReachOf(profile, offBy) : reachOf(profile, position, offBy, std::nearbyint(position));
     }
-    return vertex;
+    return reach;
   }
 };
 
@@ -88,20 +85,18 @@ double largestChangeOfArea(const DeviceTriangle& triangle) {
   const glm::dvec2& reach = triangle.reach;
   double change = 4 * reach.x * reach.y;
   for (std::size_t k = 0; k < 3; ++k) {
-    const glm::dvec2 side = glm::abs(triangle.vertices[(k + 1) % 3].position - triangle.vertices[k].position);
+    const glm::dvec2 side = glm::abs(triangle.corner(k + 1) - triangle.corner(k));
     change += side.x * reach.y + side.y * reach.x;
   }
   return change;
 }
 
-/// Computes area and facing from the placed vertices; false where neither the rules nor a device can show the triangle.
-bool complete(DeviceTriangle& triangle, bool mirrored) {
-  const auto& [a, b, c] = triangle.vertices;
-  triangle.reach = glm::max(a.reach, glm::max(b.reach, c.reach));
-  triangle.area = doubledArea(triangle.vertices);
-  triangle.facesAway = (triangle.area < 0) == mirrored;
+/// Completes the reach; false where neither the rules nor a device can show the triangle.
+bool complete(DeviceTriangle& triangle) {
+  const auto& [a, b, c] = triangle.reaches;
+  triangle.reach = glm::max(a, glm::max(b, c));
   const double change = largestChangeOfArea(triangle);
-  triangle.mayFlip = change > 0 && std::abs(triangle.area) <= change;
+  triangle.mayFlip = change > 0 && static_cast<double>(std::abs(triangle.area)) <= change;
   return triangle.area != 0 || change > 0;
 }
 
@@ -150,14 +145,17 @@ Clipped clipTriangle(const raster::DrawList& list, const raster::Face& face, std
   return {raster::clip(corners, looseNear), raster::clip(sizes, looseNear), true, largest};
 }
 
-/// Triangle (0, k - 1, k) of the fan of a polygon, its vertices placed.
-DeviceTriangle fanTriangle(const Clipped& clipped, std::size_t k, const Placement& placement) {
-  DeviceTriangle triangle{};
-  const std::array<std::size_t, 3> fan{0, k - 1, k};
+/// Triangle (0, k - 1, k) of the fan of a polygon.
+DeviceTriangle fanTriangle(const raster::Face& face, const Clipped& clipped, std::size_t k,
+                           const Placement& placement) {
+  const std::array<ViewVertex, 3> fan = raster::fanTriangle(clipped.polygon, k);
+  const std::array<ViewVertex, 3> sizes = raster::fanTriangle(clipped.sizes, k);
+  std::array<raster::SnappedPoint, 3> corners;
+  for (std::size_t j = 0; j < 3; ++j) corners[j] = raster::snap(fan[j], face.resolution);
+  DeviceTriangle triangle{raster::snappedTriangle(face, fan, corners)};
   for (std::size_t j = 0; j < 3; ++j) {
-    const ViewVertex& sizes = clipped.sizes.vertices[fan[j]];
-    triangle.vertices[j] = placement.place(clipped.polygon.vertices[fan[j]], sizes, clipped.isLoose);
-    triangle.depthSlack = std::max(triangle.depthSlack, placement.depthSlack(sizes));
+    triangle.reaches[j] = placement.reach(fan[j], sizes[j], clipped.isLoose);
+    triangle.depthSlack = std::max(triangle.depthSlack, placement.depthSlack(sizes[j]));
   }
   triangle.largest = clipped.largest;
   triangle.nearestDepth = HUGE_VAL;
@@ -201,14 +199,13 @@ struct EdgeValue {
 };
 
 EdgeValue edgeAt(const DeviceTriangle& triangle, std::size_t k, const glm::dvec2& sample) {
-  const double orientation = triangle.area > 0 ? 1 : -1;
-  const glm::dvec2& p = triangle.vertices[k].position;
-  const glm::dvec2 along = orientation * (triangle.vertices[(k + 1) % 3].position - p);
-  return {raster::cross(along, sample - p), isTopOrLeft(along)};
+  const raster::SnappedPoint direction = directionOf(triangle, (k + 2) % 3);
+  return {raster::cross(glm::dvec2(direction.x, direction.y), sample - triangle.corner(k)),
+          raster::ownsSamples(direction)};
 }
 
 glm::dvec2 edgeReach(const DeviceTriangle& triangle, std::size_t k) {
-  return glm::max(triangle.vertices[k].reach, triangle.vertices[(k + 1) % 3].reach);
+  return glm::max(triangle.reaches[k], triangle.reaches[(k + 1) % 3]);
 }
 
 /// Whether the sample is outside of an edge without reach.
@@ -225,7 +222,7 @@ bool isOutsideFixedEdge(const DeviceTriangle& triangle, const glm::dvec2& sample
 /// Whether the box of half-widths `reach` about the sample lies on the outer side of an edge: an early exit.
 bool isBeyondEdge(const DeviceTriangle& triangle, const glm::dvec2& sample, const glm::dvec2& reach) {
   for (std::size_t k = 0; k < 3; ++k) {
-    const glm::dvec2 along = glm::abs(triangle.vertices[(k + 1) % 3].position - triangle.vertices[k].position);
+    const glm::dvec2 along = glm::abs(triangle.corner(k + 1) - triangle.corner(k));
     if (edgeAt(triangle, k, sample).value < -(along.x * reach.y + along.y * reach.x)) return true;
   }
   return false;
@@ -236,16 +233,15 @@ bool isBeyondEdge(const DeviceTriangle& triangle, const glm::dvec2& sample, cons
 std::vector<DeviceTriangle> placeTriangles(const raster::DrawList& list, const raster::Face& face,
                                            const DeviceProfile& profile, bool loose,
                                            const std::function<bool(const DeviceTriangle&)>& isWanted) {
-  const Placement placement(profile, face);
-  const bool mirrored = raster::determinant(face) < 0;
+  const Placement placement{profile, face.resolution, profile.vertexError * 0x1p-24};
   std::vector<DeviceTriangle> triangles;
   for (const DrawnTriangle& drawn : drawnTriangles(list)) {
     const Clipped clipped = clipTriangle(list, face, drawn.triangle, loose, placement.roundoff);
     for (std::size_t k = 2; k < clipped.polygon.count; ++k) {
-      DeviceTriangle triangle = fanTriangle(clipped, k, placement);
-      triangle.triangle = drawn.triangle;
+      DeviceTriangle triangle = fanTriangle(face, clipped, k, placement);
+      triangle.number = drawn.triangle;
       triangle.draw = drawn.draw;
-      if (complete(triangle, mirrored) && isWanted(triangle)) triangles.push_back(triangle);
+      if (complete(triangle) && isWanted(triangle)) triangles.push_back(triangle);
     }
   }
   return triangles;
@@ -261,9 +257,9 @@ std::optional<Region> regionAt(const DeviceTriangle& triangle, const glm::dvec2&
   }
   if (isOutsideFixedEdge(triangle, sample, rule) || isBeyondEdge(triangle, sample, triangle.reach + 2 * pad)) return {};
   Polygon polygon;
-  for (const DeviceVertex& vertex : triangle.vertices) {
-    const ViewVertex& view = vertex.view;
-    polygon.push_back({vertex.position, glm::dvec3(1, view.u, view.v) / view.w});
+  for (std::size_t k = 0; k < 3; ++k) {
+    const ViewVertex& vertex = triangle.vertices[k];
+    polygon.push_back({triangle.corner(k), glm::dvec3(1, vertex.u, vertex.v) / vertex.w});
   }
   for (int axis = 0; axis < 2; ++axis)
     for (const double sign : {1.0, -1.0})
@@ -284,24 +280,8 @@ std::optional<Region> regionAt(const DeviceTriangle& triangle, const glm::dvec2&
   return region;
 }
 
-bool coversByRule(const DeviceTriangle& triangle, const glm::dvec2& sample) {
-  for (std::size_t k = 0; k < 3; ++k) {
-    const EdgeValue edge = edgeAt(triangle, k, sample);
-    if (edge.value < 0 || (edge.value == 0 && !edge.inclusive)) return false;
-  }
-  return triangle.area != 0;
-}
-
-double inverseDepthAt(const DeviceTriangle& triangle, const glm::dvec2& sample) {
-  double sum = 0;
-  for (std::size_t k = 0; k < 3; ++k) sum += edgeAt(triangle, k, sample).value / triangle.vertices[(k + 2) % 3].view.w;
-  return sum / std::abs(triangle.area);
-}
-
 bool edgeMayPass(const DeviceTriangle& triangle, std::size_t k, const glm::dvec2& sample, EdgeRule rule) {
-  const glm::dvec2& p = triangle.vertices[k].position;
-  const glm::dvec2& q = triangle.vertices[(k + 1) % 3].position;
-  const glm::dvec2 reach = edgeReach(triangle, k);
+  const glm::dvec2 p = triangle.corner(k), q = triangle.corner(k + 1), reach = edgeReach(triangle, k);
   if (reach == glm::dvec2(0.0) && rule == EdgeRule::TopLeft) return false;
   for (int axis = 0; axis < 2; ++axis)
     if (std::min(p[axis], q[axis]) > sample[axis] + reach[axis] ||

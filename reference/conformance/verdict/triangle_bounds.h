@@ -22,42 +22,32 @@
 #include <optional>
 #include <vector>
 
-#include "raster/base/cross.h"
 #include "raster/plain/rules.h"
 #include "reference/conformance/verdict/device_profile.h"
 
 namespace hemitex::reference {
 
-/// Lengths are in sub-pixels of the rules, 1/256 pixel. Snapped positions are integers below 2^23, so edge functions
-/// are exact in binary64.
-struct DeviceVertex {
-  raster::ViewVertex view;  ///< of the rules, after clipping: equal for the triangles that share a corner
-  glm::dvec2 position;      ///< snapped by the rules
-  glm::dvec2 reach;         ///< maximum distance of the device's position, along each axis
+/// A triangle by the rules, and how far a device may move it. Lengths are in sub-pixels of the rules, 1/256 pixel.
+struct DeviceTriangle : raster::SnappedTriangle {
+  std::array<glm::dvec2, 3> reaches = {};  ///< maximum distance of the device's corners, along each axis
+  glm::dvec2 reach = {};                   ///< maximum over the corners
+  double depthSlack = 0;                   ///< relative error of 1/w from the vertex stage
+  glm::dvec2 largest = {};                 ///< maximum of |u| and of |v| over the corners before clipping
+  double nearestDepth = 0;  ///< minimum of w over all corners after clipping, also of the other triangles of the fan
+  bool mayFlip = false;     ///< whether the reach allows the other facing
+
+  /// The corner by the rules. It is an integer below 2^23, so that edge functions are exact in binary64.
+  glm::dvec2 corner(std::size_t k) const { return {corners[k % 3].x, corners[k % 3].y}; }
 };
 
-struct DeviceTriangle {
-  std::array<DeviceVertex, 3> vertices;
-  glm::dvec2 reach;        ///< maximum over the vertices
-  double area;             ///< doubled and signed
-  double depthSlack;       ///< relative error of 1/w from the vertex stage
-  glm::dvec2 largest;      ///< maximum of |u| and of |v| over the corners before clipping
-  double nearestDepth;     ///< minimum of w over all corners after clipping, also of the other triangles of the fan
-  std::uint32_t triangle;  ///< indices 3t to 3t + 2
-  std::uint32_t draw;
-  bool facesAway;  ///< by the rules
-  bool mayFlip;    ///< whether the reach allows the other facing
-};
-
-/// The smallest and largest coordinates of the placed vertices.
+/// The smallest and largest coordinates of the corners.
 struct Extent {
   glm::dvec2 low, high;
 };
 
 inline Extent extentOf(const DeviceTriangle& triangle) {
-  const auto& [a, b, c] = triangle.vertices;
-  return {glm::min(a.position, glm::min(b.position, c.position)),
-          glm::max(a.position, glm::max(b.position, c.position))};
+  const glm::dvec2 a = triangle.corner(0), b = triangle.corner(1), c = triangle.corner(2);
+  return {glm::min(a, glm::min(b, c)), glm::max(a, glm::max(b, c))};
 }
 
 /// The triangles of a list in draw order, clipped, cut into fans and snapped by the rules, with their reach. With
@@ -73,33 +63,13 @@ struct Region {
   glm::dvec2 low, high;      ///< (u, v)
 };
 
-/// The sample of a pixel, in sub-pixels.
-inline glm::dvec2 sampleOf(int column, int row) { return {256.0 * column + 128, 256.0 * row + 128}; }
-
-/// Whether an edge along `direction`, with the interior on its right where rows grow downwards, is top or left: a top
-/// edge runs to the right, a left edge up.
-inline bool isTopOrLeft(const glm::dvec2& direction) {
-  return direction.y < 0 || (direction.y == 0 && direction.x > 0);
-}
-
 /// The texel of the rules at a coordinate times the size of the map: its floor, clamped to the map.
 inline std::size_t texelAt(double position, int size) {
   return static_cast<std::size_t>(std::clamp(std::floor(position), 0.0, size - 1.0));
 }
 
-/// The doubled, signed area of three vertices as placed.
-inline double doubledArea(const std::array<DeviceVertex, 3>& vertices) {
-  return raster::cross(vertices[1].position - vertices[0].position, vertices[2].position - vertices[0].position);
-}
-
 /// The bounds of a triangle at a sample; nothing where it cannot cover the sample.
 std::optional<Region> regionAt(const DeviceTriangle& triangle, const glm::dvec2& sample, EdgeRule rule);
-
-/// Whether the rules' triangle covers the sample.
-bool coversByRule(const DeviceTriangle& triangle, const glm::dvec2& sample);
-
-/// 1/w by the rules at a covered sample, rounded to binary64.
-double inverseDepthAt(const DeviceTriangle& triangle, const glm::dvec2& sample);
 
 /// Whether the edge from vertex k to the next may pass over the sample.
 bool edgeMayPass(const DeviceTriangle& triangle, std::size_t k, const glm::dvec2& sample, EdgeRule rule);

@@ -79,8 +79,7 @@ void judgeErrors(const raster::DrawList& list, const raster::Face& view, const D
   raster::parallelFor(tiles.size(), [&](std::size_t tile) {
     for (const std::size_t pixel : pixels[tile]) {
       const glm::ivec2 at = pixelAt(face.scissor, pixel);
-      const glm::dvec2 sample = sampleOf(at.x, at.y);
-      const PixelVerdict verdict = judgeId(judged, nearby[tile], sample, face.found.ids[pixel]);
+      const PixelVerdict verdict = judgeId(judged, nearby[tile], raster::sampleOf(at.x, at.y), face.found.ids[pixel]);
       const bool isExplained = verdict != PixelVerdict::Error;
       face.pixels[pixel] = loose && isExplained ? PixelVerdict::LooseClipping : verdict;
     }

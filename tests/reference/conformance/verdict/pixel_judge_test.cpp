@@ -38,7 +38,7 @@ PixelVerdict verdictAt(const raster::DrawList& list, const raster::Face& face, c
   const auto triangles = placeTriangles(list, face, profile, false, all);
   std::vector<const reference::DeviceTriangle*> pointers;
   for (const reference::DeviceTriangle& triangle : triangles) pointers.push_back(&triangle);
-  return judgeId(judgedFace(list, face, profile), pointers, reference::sampleOf(column, row), found);
+  return judgeId(judgedFace(list, face, profile), pointers, raster::sampleOf(column, row), found);
 }
 
 /// A corner at (column, row) in pixels, at depth w.

@@ -242,7 +242,7 @@ TEST_CASE("judge decides each pixel independently of tiles, neighbours and sciss
       for (int column = scissor.column; column < scissor.column + scissor.width; ++column, ++pixel) {
         const PixelVerdict alone = found.ids[pixel] == expected.ids[pixel]
                                        ? PixelVerdict::Exact
-                                       : judgeId(judged, all, reference::sampleOf(column, row), found.ids[pixel]);
+                                       : judgeId(judged, all, raster::sampleOf(column, row), found.ids[pixel]);
         holds &= verdict.faces[0].pixels[pixel] == alone;
         ++counts[static_cast<std::size_t>(alone)];
       }
