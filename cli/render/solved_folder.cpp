@@ -17,10 +17,10 @@ namespace {
 
 using json = nlohmann::ordered_json;
 
-/// Reads a number of texels. Throws std::out_of_range if it is below `least`.
+/// Reads a number of texels. Throws InputError for a number that no texture has.
 int texelsAt(const json& object, const char* key, int least) {
-  const int value = object.at(key).get<int>();
-  if (value < least) throw std::out_of_range(std::string(key) + " is below " + std::to_string(least));
+  const int value = reference::valueAt<int>(object, key);
+  if (value < least || value > 1 << 24) throw raster::InputError(std::string(key) + " is " + std::to_string(value));
   return value;
 }
 
@@ -48,8 +48,8 @@ std::optional<SolvedFolder> SolvedFolder::around(const std::filesystem::path& sc
   const auto solution = reference::parseJson<json>(*text, file.string());
   try {
     const json& settings = solution.at("settings");
-    if (const json& texels = settings.at("texels"); !texels.is_null()) solved.settings_.texels = texels.get<int>();
-    solved.settings_.patch = settings.at("patch").get<int>();
+    if (!settings.at("texels").is_null()) solved.settings_.texels = texelsAt(settings, "texels", 1);
+    solved.settings_.patch = texelsAt(settings, "patch", 1);
     if (const json& size = settings.at("texel_size"); !size.is_null()) solved.settings_.texelSize = size.get<double>();
     solved.exposure_ = settings.at("exposure").get<double>();
     if (settings.contains("sky")) solved.sky_ = reference::vectorAt(settings, "sky");

@@ -5,6 +5,8 @@
 #include <string>
 #include <utility>
 
+#include "reference/base/json_text.h"
+
 namespace hemitex::cli {
 
 std::vector<std::uint32_t> restoreSurfaces(radiosity::Scene& lit, const nlohmann::ordered_json& surfaces) {
@@ -24,7 +26,7 @@ std::vector<std::uint32_t> restoreSurfaces(radiosity::Scene& lit, const nlohmann
   std::size_t first = 0;
   for (std::uint32_t s = 0; s < surfaces.size(); ++s) {
     const auto name = surfaces[s].at("name").get<std::string>();
-    const std::size_t end = first + surfaces[s].at("triangles").get<std::size_t>();
+    const std::size_t end = first + reference::valueAt<std::uint32_t>(surfaces[s], "triangles");
     radiosity::Surface surface;
     surface.name = surface.family = name;
     for (; first < std::min(end, faces.size()); ++first) {
