@@ -6,12 +6,10 @@
 #include <string>
 
 #include "radiosity/discretization/discretize.h"
-#include "radiosity/form_factors/scene_form_factors.h"
 #include "radiosity/images/image.h"
-#include "radiosity/index_maps/id_layout.h"
+#include "radiosity/light/light.h"
 #include "radiosity/pictures/pictures.h"
 #include "radiosity/scene/scene.h"
-#include "radiosity/solver/progressive_solver.h"
 
 using namespace hemitex::radiosity;
 
@@ -53,12 +51,7 @@ int main(int argc, char** argv) {
   }
   const Scene scene = room();
   const Discretization elements = discretize(scene, {.texels = 32});
-  SceneFormFactors formFactors(scene, elements, layOut(elements), {});
-  const Solution solution = solve({.scene = scene,
-                                   .discretization = elements,
-                                   .patches = elements.patches,
-                                   .rowOf = formFactors.rowOf(),
-                                   .split = formFactors.splits()});
+  const Solution solution = light(scene, elements).solution;
   std::cout << solution.shots << " shots\n";
   for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s) {
     const Grid& grid = elements.grids[s];

@@ -5,13 +5,12 @@
 
 #include "cli/scene/camera_options.h"
 #include "radiosity/discretization/discretize.h"
-#include "radiosity/form_factors/scene_form_factors.h"
 #include "radiosity/index_maps/phantom_indices.h"
+#include "radiosity/light/light.h"
 #include "radiosity/pictures/id_pictures.h"
 #include "radiosity/pictures/picture_exposure.h"
 #include "radiosity/pictures/pictures.h"
 #include "radiosity/scene/load_scene.h"
-#include "radiosity/solver/progressive_solver.h"
 #include "radiosity/textures/radiosity_texture.h"
 #include "reference/measurement/bench/scenes.h"
 #include "reference/measurement/paper/tables.h"
@@ -71,12 +70,9 @@ struct Shown {
 Shown solved(const Scene& scene, const Discretization& discretization, const IdLayout& layout,
              const radiosity::SolverSettings& settings, const Camera& camera) {
   // As in the paper, no patch is split. The test for splits draws each patch once and would take most of the time.
-  radiosity::SceneFormFactors drawn(scene, discretization, layout, {.resolution = 128, .split = 1});
-  const radiosity::Solution solution = radiosity::solve({.scene = scene,
-                                                         .discretization = discretization,
-                                                         .patches = discretization.patches,
-                                                         .rowOf = drawn.rowOf(),
-                                                         .settings = settings});
+  const radiosity::LightSettings unsplit{.drawing = {.resolution = 128, .split = 1}, .solver = settings};
+  const radiosity::LightHooks hooks{.layOut = [&](const Discretization&) { return layout; }};
+  const radiosity::Solution solution = radiosity::light(scene, discretization, unsplit, hooks).solution;
   Shown shown{discretization, radiosity::displayRadiosity(scene, discretization, solution)};
   const double exposure =
       radiosity::pictureExposure(scene, discretization, radiosity::valuesIn(shown.values), camera, width, height);

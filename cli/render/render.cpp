@@ -16,7 +16,6 @@
 #include "radiosity/index_maps/scene_draw_list.h"
 #include "radiosity/pictures/id_pictures.h"
 #include "radiosity/pictures/pictures.h"
-#include "radiosity/projection/patch_view.h"
 #include "radiosity/projection/projection.h"
 #include "radiosity/projection/projection_kinds.h"
 #include "raster/base/input_error.h"
@@ -164,16 +163,14 @@ Image projectionView(const RenderOptions& options, const Subject& subject, Conso
   const radiosity::SurfacePoint point = source.element
                                             ? radiosity::elementCentre(scene, discretization, *source.element)
                                             : radiosity::patchCentre(scene, discretization, patch);
-  const radiosity::Projection projection = radiosity::projectionOf(kind, options.resolution);
-  const radiosity::TriangleBoxes boxes = radiosity::triangleBoxes(scene);
-  const auto skipped = radiosity::skippedTriangles(scene, boxes, surface, point);
-  const double nearDistance = radiosity::nearDistance(scene, boxes, point.position, skipped, projection.squaredReach);
-  const auto faces =
-      radiosity::facesOver(projection.faces, point.position - scene.origin, point.normal, glm::dvec3(0), nearDistance);
   raster::SoftwareRenderer renderer(radiosity::makeDrawList(scene, discretization, layout));
-  const std::vector<raster::ItemBuffer> buffers = render(renderer, faces, skipped);
-  return kind == radiosity::ProjectionKind::Hemicube ? radiosity::hemicubePicture(layout, faces, buffers)
-                                                     : radiosity::facesPicture(layout, projection, faces, buffers);
+  radiosity::ProjectedFormFactors rows(scene, discretization, layout, renderer,
+                                       {.resolution = options.resolution, .projection = kind});
+  const radiosity::View view = rows.viewFrom({.surface = surface, .point = point});
+  const std::vector<raster::ItemBuffer> buffers = render(renderer, view.faces, view.skipped);
+  return kind == radiosity::ProjectionKind::Hemicube
+             ? radiosity::hemicubePicture(layout, view.faces, buffers)
+             : radiosity::facesPicture(layout, *view.projection, view.faces, buffers);
 }
 
 void render(const RenderOptions& options, Context& context) {

@@ -74,15 +74,14 @@ void addChosenSettings(Command command, SolveOptions& options) {
                   "as 0.01, both "
                   "of all flux and of the flux of the surfaces that the camera sees; of facets, bound the error of "
                   "every row of form factors, as `hemitex formfactors` does (default: use the given values)");
-  for (const char* chosen : {"--resolution", "--orientation", "--split", "--pixels-per-element", "--residual",
-                             "--shots", "--samples", "--seed"})
+  for (const char* chosen : {"--resolution", "--split", "--residual", "--shots"})
     maxError.excludes(command.option(chosen));
   const Option adaptive = addPositive(
       command.under("Elements"), "--adaptive", options.adaptive, 1,
       "subdivide elements in quadtrees where radiosity changes fast, from 4 x 4 elements per surface to its --texels "
       "(default: no quadtrees). An element is split if its area times the change across it is above this share of all "
       "flux. 0.0001 is a good start.");
-  for (const char* other : {"--texel-size", "--max-error"}) adaptive.excludes(command.option(other));
+  adaptive.excludes(command.option("--texel-size"));
 }
 
 /// Adds --facets, --no-facets and --matrix.
@@ -104,7 +103,6 @@ void addFacetOptions(Command command, SolveOptions& options) {
   for (const char* other : {"--no-facets", "--texels", "--texel-size", "--surface", "--adaptive", "--max-error",
                             "--method", "--resolution", "--orientation", "--split", "--edits"})
     matrix.excludes(command.option(other));
-  command.option("--facets").excludes(command.option("--edits"));
   command.option("--facets").excludes(command.option("--adaptive"));
 }
 
@@ -156,10 +154,7 @@ void addEdits(Command command, std::filesystem::path& edits) {
                "update the solution for each frame of edits in the file, and write each frame into its own folder. "
                "Edits move, "
                "add and remove objects, or change lights and reflectances.",
-               "FILE.json")
-      .excludes(command.option("--adaptive"))
-      // Coarser maps distribute light beyond the pixels of the changed region, so an update would miss changes.
-      .excludes(command.option("--pixels-per-element"));
+               "FILE.json");
 }
 
 void addLongRunOptions(Command command, LongRunOptions& longRun) {
@@ -185,9 +180,7 @@ void addBands(Command command, std::filesystem::path& bands) {
                                      "materials and those of the MTL file, and show their colours (default: solve R, G "
                                      "and B)",
                                      "FILE");
-  for (const char* other :
-       {"--adaptive", "--max-error", "--edits", "--checkpoint", "--resume", "--report", "--lightmap"})
-    option.excludes(command.option(other));
+  for (const char* other : {"--edits", "--checkpoint", "--resume"}) option.excludes(command.option(other));
 }
 
 /// Throws a usage error for a filter between texels with quadtrees, whose elements are not texels.

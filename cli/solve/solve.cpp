@@ -87,9 +87,9 @@ ordered_json writeFrame(const std::filesystem::path& folder, std::size_t number,
 
 /// Prints the warnings of a solution.
 void warnOf(const SolveResult& result, Console& console) {
-  console.warnings(warningsOf(result.solution));
-  if (result.captured < 1)
-    console.warning("the single plane captures " + percentText(result.captured) +
+  console.warnings(warningsOf(result.light.solution));
+  if (result.light.captured < 1)
+    console.warning("the single plane captures " + percentText(result.light.captured) +
                     " of the flux of a patch; the rest is lost, so that the scene is too dark");
 }
 
@@ -111,26 +111,30 @@ std::set<std::filesystem::path> inputFiles(const SolveOptions& options, const Co
   return files;
 }
 
+/// The scene in bands; nothing without --bands.
+std::optional<BandScenes> bandsOf(const SolveOptions& options) {
+  if (options.bands.empty()) return std::nullopt;
+  return bandScenes(options.scene, options.bands);
+}
+
 /// The part of the ranks other than 0: computes rows and writes nothing.
 void computeForRankZero(SolveOptions options, Console& console) {
   options.longRun = {};
-  const radiosity::Scene scene = sceneOf(options.scene, console);
-  requireLight(scene, options.scene.file);
+  const std::optional<BandScenes> bands = bandsOf(options);
+  const radiosity::Scene scene = bands ? bands->inColour : sceneOf(options.scene, console);
+  if (!bands) requireLight(scene, options.scene.file);
   Monitor monitor(console, options.longRun, scene, {});
   const radiosity::Camera camera = cameraOf(options.camera, scene, options.scene.file);
-  solveScene(options, scene, camera, discretizationOf(options.discretization, scene), monitor);
+  solveScene(options, scene, bands ? &*bands : nullptr, camera, discretizationOf(options.discretization, scene),
+             monitor);
 }
 
 /// Updates the solution of the result, which `first` shows, for each frame and writes their folders. Adds the entries
 /// of the frames to `text`. Returns whether a signal ended the last one.
 bool writeFrames(const std::filesystem::path& folder, const std::vector<Frame>& frames, const SolvedScene& first,
                  SolveResult& result, Monitor& monitor, ordered_json& text) {
-  const SolveOptions& options = result.options;
-  const auto layOut = [&](const radiosity::Discretization& edited) {
-    return layoutOf(options.id, edited);
-  };
-  radiosity::DynamicSolution dynamic(first.scene, std::move(result.discretization), std::move(result.solution),
-                                     {options.discretization, options.drawing, options.solver}, layOut);
+  radiosity::DynamicSolution dynamic =
+      radiosity::editable(first.scene, std::move(result.light), {.layOut = layoutsOf(result.options.id)});
   for (std::size_t f = 0; f < frames.size() && !dynamic.solution().isInterrupted; ++f)
     text["frames"].push_back(writeFrame(folder, f + 1, frames[f], dynamic, first, monitor));
   return dynamic.solution().isInterrupted;
@@ -145,9 +149,9 @@ ordered_json writeResult(const radiosity::Scene& scene, const radiosity::Camera&
   const SolvedScene solved{options,
                            camera,
                            scene,
-                           result.discretization,
-                           result.layout,
-                           result.solution,
+                           result.light.discretization,
+                           result.light.layout,
+                           result.light.solution,
                            result.rowErrors,
                            result.bands ? &*result.bands : nullptr};
   console.warnings(unitWarning(solved));
@@ -159,13 +163,13 @@ ordered_json writeResult(const radiosity::Scene& scene, const radiosity::Camera&
   if (options.report) shown = shownScene(staging.folder(), solved, std::move(lit->scene), result.convergence);
   lit.reset();  // textures take much memory
   laps.lap("write_s");
-  text["captured"] = result.captured;
-  const std::optional<radiosity::LightErrors>& errors = result.expectedErrors;
+  text["captured"] = result.light.captured;
+  const std::optional<radiosity::LightErrors>& errors = result.light.expectedErrors;
   text["expected_error"] = errors ? ordered_json(errors->all) : ordered_json();
   text["expected_error_seen"] = errors ? ordered_json(errors->seen) : ordered_json();
   if (!result.rowErrors.empty())
     text["row_error"] = *std::max_element(result.rowErrors.begin(), result.rowErrors.end());
-  bool isInterrupted = result.solution.isInterrupted;
+  bool isInterrupted = result.light.solution.isInterrupted;
   if (!frames.empty() && !isInterrupted)
     isInterrupted = writeFrames(staging.folder(), frames, solved, result, monitor, text);
   if (isInterrupted) text["interrupted"] = true;
@@ -201,8 +205,7 @@ void solve(SolveOptions asked, Context& context) {
   Console& console = context.console;
   if (asked.isContinued) asked.discretization.isUnburied = true;
   Laps laps;
-  const std::optional<BandScenes> bands =
-      asked.bands.empty() ? std::nullopt : std::optional(bandScenes(asked.scene, asked.bands));
+  const std::optional<BandScenes> bands = bandsOf(asked);
   const radiosity::Scene scene = bands ? bands->inColour : sceneOf(asked.scene, console);
   if (bands) console.warnings(scene.warnings);
   asked.solver.residual = asked.residual.value_or(radiosity::defaultResidual(scene));
@@ -218,11 +221,10 @@ void solve(SolveOptions asked, Context& context) {
   staging.requirePlaces(outputNames(asked, scene, unsplit, frames.size()));
   Monitor monitor(console, asked.longRun, scene, toText(solutionSettings(asked)), inputs);
   laps.lap("discretize_s");
-  SolveResult result = bands ? solveBands(asked, *bands, std::move(unsplit), monitor)
-                             : solveScene(asked, scene, camera, std::move(unsplit), monitor);
+  SolveResult result = solveScene(asked, scene, bands ? &*bands : nullptr, camera, std::move(unsplit), monitor);
   warnOf(result, console);
   laps.lap("solve_s");
-  const int shots = result.solution.shots;
+  const int shots = result.light.solution.shots;
   const ordered_json text = writtenOrKept(
       asked.longRun.checkpoint, [&] { return writeResult(scene, camera, frames, result, staging, monitor, laps); });
   if (text.contains("interrupted")) tellStop(result.options, shots, console);
@@ -243,7 +245,7 @@ void addSolve(Command program, Context& context) {
       {"data/cornell-box.obj -o lit --report", "house.obj -o lit --sky 1,1,1.2 --sun 1,3,2=4,4,3.5 --max-error 0.02"});
   command.onRead([options, command, &context] {
     completeOptions(command, *options);
-    context.isShared = options->edits.empty() && options->bands.empty() && !usesRays(*options) &&
+    context.isShared = options->edits.empty() && !usesRays(*options) &&
                        !boundsRows(*options) && options->matrix.empty();
     context.command = [options, &context] { solve(*options, context); };
   });

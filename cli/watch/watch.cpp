@@ -179,12 +179,10 @@ class WatchedSolution {
     radiosity::Discretization unsplit = discretizationOf(options.discretization, scene);
     Staging(output()).requirePlaces(outputNames(options, scene, unsplit, 0));
     Monitor monitor(console_, {}, scene, {});
-    SolveResult result = solveScene(options, scene, camera_, std::move(unsplit), monitor);
+    SolveResult result = solveScene(options, scene, nullptr, camera_, std::move(unsplit), monitor);
     options_ = result.options;
     convergence_ = std::move(result.convergence);
-    const auto layOut = [this](const radiosity::Discretization& edited) { return layoutOf(options_.id, edited); };
-    dynamic_.emplace(std::move(scene), std::move(result.discretization), std::move(result.solution),
-                     radiosity::DynamicSettings{options_.discretization, options_.drawing, options_.solver}, layOut);
+    dynamic_ = radiosity::editable(std::move(scene), std::move(result.light), {.layOut = layoutsOf(options_.id)});
   }
 
   Output output() const {
@@ -256,8 +254,8 @@ void followChange(WatchedSolution& solution, const fs::path& changed, Context& c
 
 /// Throws a usage error for options that updates of a solution, or the page, do not allow.
 void requireUpdatable(Command command, const SolveOptions& options) {
-  for (const char* name : {"--edits", "--adaptive", "--pixels-per-element", "--checkpoint", "--resume", "--every",
-                           "--progress", "--no-textures", "--matrix"})
+  for (const char* name :
+       {"--edits", "--adaptive", "--checkpoint", "--resume", "--every", "--progress", "--no-textures", "--matrix"})
     if (command.isGiven(name)) usageError(name, "is not used by `hemitex watch`; omit it");
   if (boundsRows(options)) usageError("--max-error", "bounds no rows of facets in `hemitex watch`; omit it");
   if (usesRays(options)) usageError("--method", "`rays` cannot update a solution; use hemicubes");

@@ -18,9 +18,6 @@
 #include "radiosity/index_maps/id_layout.h"
 #include "radiosity/pictures/visibility.h"
 #include "radiosity/scene/load_scene.h"
-#include "radiosity/solver/dynamic_solution.h"
-#include "radiosity/solver/error_control.h"
-#include "radiosity/solver/progressive_solver.h"
 #include "radiosity/solver/sensitivity.h"
 #include "raster/base/parallel.h"
 #include "reference/truth/rays/embree_form_factors.h"
@@ -31,21 +28,20 @@ namespace {
 using raster::InputError;
 using namespace py::literals;
 
-/// The rows of patches of a solution, and what they come from.
-struct Rows {
-  radiosity::SceneFormFactors drawn;
-  std::optional<reference::RayRows> rays;
-
-  Rows(const radiosity::Scene& scene, const radiosity::Discretization& discretization, const Method& method)
-      : drawn(scene, discretization, radiosity::layOut(discretization, method.ids), method.drawing,
-              method.makeRenderer) {
-    if (method.rays) rays.emplace(scene, discretization, *method.rays);
-  }
-  radiosity::RowSource source() {
-    if (!rays) return drawn.rowOf();
-    return [this](const radiosity::Patch& patch) { return rays->ofPatch(patch); };
-  }
-};
+radiosity::LightHooks hooksOf(const Method& method) {
+  radiosity::LightHooks hooks{
+      .layOut = [ids = method.ids](
+                    const radiosity::Discretization& discretization) { return radiosity::layOut(discretization, ids); },
+      .makeRenderer = method.makeRenderer};
+  if (method.rays)
+    hooks.rows = [settings = *method.rays](radiosity::PatchRows drawn, const radiosity::Scene& scene,
+                                           const radiosity::Discretization& discretization) {
+      const auto rays = std::make_shared<reference::RayRows>(scene, discretization, settings);
+      return radiosity::PatchRows{.rowOf = [rays](const radiosity::Patch& patch) { return rays->ofPatch(patch); },
+                                  .split = drawn.split};
+    };
+  return hooks;
+}
 
 Method methodOf(const Settings& settings, const radiosity::Scene& scene, const py::object& makeRenderer) {
   Method method{.ids = idSettings(settings), .makeRenderer = rendererFactory(makeRenderer)};
@@ -57,10 +53,10 @@ Method methodOf(const Settings& settings, const radiosity::Scene& scene, const p
     method.rays->seed =
         static_cast<std::uint32_t>(settings.integer("seed", 0, std::numeric_limits<int>::max()).value_or(0));
   } else {
-    method.drawing = drawingSettings(settings);
+    method.light.drawing = drawingSettings(settings);
   }
-  method.solver.residual = settings.number("residual", 1e-14, 1e300).value_or(radiosity::defaultResidual(scene));
-  method.solver.shots = settings.integer("shots", 0, std::numeric_limits<int>::max());
+  method.light.solver.residual = settings.number("residual", 1e-14, 1e300).value_or(radiosity::defaultResidual(scene));
+  method.light.solver.shots = settings.integer("shots", 0, std::numeric_limits<int>::max());
   return method;
 }
 
@@ -74,30 +70,6 @@ double shareDone(const radiosity::Step& step, const radiosity::SolverSettings& s
 
 radiosity::Progress progressOf(Progress& told, const radiosity::SolverSettings& settings) {
   return [&told, &settings](const radiosity::Step& step) { return told.tell(shareDone(step, settings)); };
-}
-
-/// Solves the scene of a discretization, whose patches become those of the solution.
-radiosity::Solution solveOnce(const radiosity::Scene& scene, radiosity::Discretization& discretization,
-                              const Method& method, const std::vector<bool>& seen, bool isContinued, Progress& told) {
-  Rows rows(scene, discretization, method);
-  radiosity::RowCache ofViews(method.solver.rowCacheBytes / 2);
-  radiosity::SolveInput input{.scene = scene,
-                              .discretization = discretization,
-                              .patches = discretization.patches,
-                              .rowOf = rows.source(),
-                              .split = rows.drawn.splits(),
-                              .settings = method.solver,
-                              .outside = rows.drawn.outsideFlux(),
-                              .seen = {seen, rows.drawn.scoutRows()},
-                              .isContinued = isContinued};
-  if (isContinued)
-    input.rowOf = [&](const radiosity::Patch& patch) {
-      return radiosity::rowByViews(rows.drawn.rows(), ofViews, patch);
-    };
-  radiosity::Solution solution = radiosity::solve(std::move(input), progressOf(told, method.solver));
-  discretization.patches = std::move(solution.patches);
-  if (solution.continuation) solution.continuation->rows.ofViews = std::move(ofViews);
-  return solution;
 }
 
 /// A copy without what edits go on from.
@@ -127,47 +99,37 @@ std::shared_ptr<Solved> solve(const SharedElements& elements, const py::dict& gi
   const radiosity::Scene& scene = *elements->scene;
   radiosity::requireEmission(scene, scene.files.empty() ? std::filesystem::path("the scene") : scene.files.front());
   auto solved = std::make_shared<Solved>();
-  solved->method = methodOf(settings, scene, makeRenderer);
+  Method& method = solved->method;
+  method = methodOf(settings, scene, makeRenderer);
   const std::optional<double> bound = settings.number("max_error", 1e-6, 1);
   const bool isEditable = settings.flag("editable").value_or(false);
-  if (isEditable && (bound || solved->method.rays))
+  if (isEditable && (bound || method.rays))
     throw InputError("a solution with `max_error` or of rays cannot be edited", "omit `editable`");
   if (isEditable && !elements->settings.isUnburied)
     throw InputError("the elements leave out what solids cover, which edits may uncover",
                      "give editable=True to discretize, too");
-  if (bound && solved->method.rays) throw InputError("`max_error` chooses settings of hemicubes", "omit `method`");
-  const std::vector<bool> seen = bound ? seenBy(scene, camera) : std::vector<bool>();
+  if (bound && method.rays) throw InputError("`max_error` chooses settings of hemicubes", "omit `method`");
+  method.light.maxError = bound;
+  if (bound) method.light.seen = seenBy(scene, camera);
+  method.light.elements = elements->settings;
+  method.light.isContinued = isEditable;
   Progress told(std::move(progress));
   unlocked([&] {
+    radiosity::LightHooks hooks = hooksOf(method);
+    hooks.start = [&](const radiosity::SolverSettings& used) {
+      return radiosity::SolutionStart{.progress = progressOf(told, used)};
+    };
+    radiosity::Light light = radiosity::light(scene, elements->discretization, method.light, hooks);
+    if (bound && !light.expectedErrors) throw InputError("the progress callback ended the choice of settings");
+    method.light = light.settings;
+    solved->expectedErrors = light.expectedErrors;
     Elements divided = *elements;
-    radiosity::Solution solution;
-    if (bound) {
-      solved->method.solver.residual = radiosity::residualFor(*bound);
-      const auto solveWith = [&](const radiosity::Effort& effort) {
-        solved->method.drawing.resolution = effort.resolution;
-        solved->method.drawing.split = effort.split;
-        divided.discretization.patches = elements->discretization.patches;
-        solution = solveOnce(scene, divided.discretization, solved->method, seen, false, told);
-        if (solution.isInterrupted) throw InputError("the progress callback ended the choice of settings");
-        return solution.radiosity;
-      };
-      solved->expectedErrors = radiosity::chooseEffort(divided.discretization, seen, solveWith, *bound).expectedErrors;
-    } else {
-      solution = solveOnce(scene, divided.discretization, solved->method, {}, isEditable, told);
-    }
-    if (isEditable) {
-      solved->solution = resultOf(solution);
-      const auto layOut = [ids = solved->method.ids](const radiosity::Discretization& edited) {
-        return radiosity::layOut(edited, ids);
-      };
-      solved->dynamic = std::make_unique<radiosity::DynamicSolution>(
-          scene, divided.discretization, std::move(solution),
-          radiosity::DynamicSettings{elements->settings, solved->method.drawing, solved->method.solver}, layOut,
-          solved->method.makeRenderer);
-    } else {
-      solved->solution = std::make_shared<const radiosity::Solution>(std::move(solution));
-    }
+    divided.discretization = light.discretization;
     solved->elements = std::make_shared<const Elements>(std::move(divided));
+    solved->solution = resultOf(light.solution);
+    if (isEditable)
+      solved->dynamic =
+          std::make_unique<radiosity::DynamicSolution>(radiosity::editable(scene, std::move(light), hooks));
   });
   return solved;
 }
@@ -184,7 +146,7 @@ py::tuple edit(Solved& solved, const py::sequence& list, py::object progress) {
   auto edited = std::make_shared<Solved>();
   edited->method = solved.method;
   const radiosity::UpdateCost cost = unlocked([&] {
-    const radiosity::UpdateCost spent = solved.dynamic->update(edits, progressOf(told, solved.method.solver));
+    const radiosity::UpdateCost spent = solved.dynamic->update(edits, progressOf(told, solved.method.light.solver));
     const radiosity::DynamicSolution& now = *solved.dynamic;
     edited->elements = std::make_shared<const Elements>(Elements{
         std::make_shared<const radiosity::Scene>(now.scene()), false, solved.elements->settings, now.discretization()});
@@ -225,15 +187,17 @@ py::dict sensitivityOf(const Solved& solved, const py::object& weights, py::obje
   const std::vector<glm::dvec3> ofElements = vectorsOf(numbers(weights, "weights", {count, 3}));
   Progress told(std::move(progress));
   radiosity::Sensitivity found = unlocked([&] {
-    Rows rows(*elements->scene, elements->discretization, solved.method);
-    return radiosity::sensitivity({.scene = *elements->scene,
-                                   .discretization = elements->discretization,
-                                   .patches = elements->discretization.patches,
-                                   .rowOf = rows.source(),
-                                   .outside = rows.drawn.outsideFlux()},
-                                  ofElements, [&](std::size_t done, std::size_t all) {
-                                    told.tell(static_cast<double>(done) / static_cast<double>(all));
-                                  });
+    const auto tell = [&](std::size_t done, std::size_t all) {
+      told.tell(static_cast<double>(done) / static_cast<double>(all));
+    };
+    radiosity::Sensitivity sensitivity;
+    radiosity::LightHooks hooks = hooksOf(solved.method);
+    hooks.solve = [&](const radiosity::SolveInput& input, radiosity::Discretization&, const radiosity::Progress&) {
+      sensitivity = radiosity::sensitivity(input, ofElements, tell);
+      return radiosity::Solution();
+    };
+    radiosity::light(*elements->scene, elements->discretization, {.drawing = solved.method.light.drawing}, hooks);
+    return sensitivity;
   });
   return py::dict("target"_a = toTuple(found.target), "by_emission"_a = toArray(std::move(found.byEmission)),
                   "by_reflectance"_a = toArray(std::move(found.byReflectance)),

@@ -7,12 +7,9 @@
 
 #include "python/bindings/calls.h"
 #include "python/bindings/scenes.h"
-#include "radiosity/form_factors/scene_form_factors.h"
 #include "radiosity/index_maps/id_layout.h"
+#include "radiosity/light/light.h"
 #include "radiosity/pictures/camera.h"
-#include "radiosity/solver/dynamic_solution.h"
-#include "radiosity/solver/error_control.h"
-#include "radiosity/solver/progressive_solver.h"
 #include "reference/truth/rays/embree_form_factors.h"
 
 namespace hemitex::python {
@@ -21,9 +18,8 @@ using SharedSolution = std::shared_ptr<const radiosity::Solution>;
 
 /// What a solution is computed with.
 struct Method {
-  radiosity::DrawingSettings drawing;
+  radiosity::LightSettings light;
   radiosity::IdSettings ids;
-  radiosity::SolverSettings solver;
   std::optional<reference::RayRowSettings> rays;
   radiosity::RendererFactory makeRenderer;
 };

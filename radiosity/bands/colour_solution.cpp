@@ -28,7 +28,8 @@ double fluxIn(const BandSolution& solution, std::size_t band, glm::dvec3 Energy:
   return (solution.groups[at.group].energy.*flux)[at.place];
 }
 
-Solution inColour(const Scene& scene, const Discretization& discretization, const BandSolution& bandSolution) {
+Solution inColour(const Scene& scene, const Discretization& discretization, const BandSolution& bandSolution,
+                  bool keepsIrradiance) {
   const std::vector<glm::dvec3> colours = linearSrgbOfBands(bandSolution.wavelengths);
   const std::vector<Solution>& groups = bandSolution.groups;
   const std::size_t bands = colours.size();
@@ -47,7 +48,7 @@ Solution inColour(const Scene& scene, const Discretization& discretization, cons
     for (const std::uint32_t element : elementsOf(discretization.grids[surface]))
       solution.radiosity[element] = colourOf([element](const Solution& group) { return group.radiosity[element]; });
   });
-  if (hasMaps(scene))
+  if (hasMaps(scene) || keepsIrradiance)
     for (std::uint32_t element = 0; element < solution.radiosity.size(); ++element)
       solution.irradiance.push_back(irradianceFor(solution.radiosity[element], emission(scene, discretization, element),
                                                   reflectance(scene, discretization, element)));

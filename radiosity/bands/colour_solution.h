@@ -23,9 +23,10 @@ double radiosityIn(const BandSolution& solution, std::size_t band, std::size_t e
 double fluxIn(const BandSolution& solution, std::size_t band, glm::dvec3 Energy::*flux);
 
 /// The solution in linear sRGB (see colour.h), where a colour outside sRGB has negative channels. `scene` is that of
-/// inColour with `discretization`. The irradiance of an element is that which, reflected by its colour, gives its
-/// radiosity. The energy is that of all bands in linear sRGB. The shots are those of all groups, the residual is the
-/// largest, and the warnings are those of the group that emits most.
-Solution inColour(const Scene& scene, const Discretization& discretization, const BandSolution& bands);
+/// inColour with `discretization`. The irradiance of an element, if a surface has a map or it is kept, is that which,
+/// reflected by its colour, gives its radiosity. The energy is that of all bands in linear sRGB. The shots are those of
+/// all groups, the residual is the largest, and the warnings are those of the group that emits most.
+Solution inColour(const Scene& scene, const Discretization& discretization, const BandSolution& bands,
+                  bool keepsIrradiance = false);
 
 }  // namespace hemitex::radiosity

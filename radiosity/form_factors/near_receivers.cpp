@@ -48,7 +48,7 @@ NearReceivers::NearReceivers(const Scene& scene, const Discretization& discretiz
       rows_(scene, discretization, layout, renderer, {.resolution = nearResolution}),
       isSmall_(smallElements(scene, discretization.elements)) {}
 
-FormFactorRow NearReceivers::corrected(const Patch& patch, FormFactorRow row) {
+std::optional<FormFactorRow> NearReceivers::corrected(const Patch& patch, const FormFactorRow& row) {
   std::vector<double> shares(row.shares.begin(), row.shares.end());
   bool isChanged = false;
   for (std::size_t i = 0; i < shares.size(); ++i) {
@@ -61,7 +61,7 @@ FormFactorRow NearReceivers::corrected(const Patch& patch, FormFactorRow row) {
     shares[i] = factor / ratio * static_cast<double>(wholeShare);
     isChanged = true;
   }
-  if (!isChanged) return row;
+  if (!isChanged) return std::nullopt;
   return closedRow(row.elements, shares, static_cast<double>(row.background), static_cast<double>(row.back));
 }
 

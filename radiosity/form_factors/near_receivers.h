@@ -17,6 +17,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <vector>
 
 #include "radiosity/discretization/discretization.h"
@@ -39,8 +40,8 @@ class NearReceivers {
   NearReceivers(const Scene& scene, const Discretization& discretization, const IdLayout& layout,
                 raster::ItemBufferRenderer& renderer);
 
-  /// The row of a patch with the shares of small elements near it replaced.
-  FormFactorRow corrected(const Patch& patch, FormFactorRow row);
+  /// The row that was drawn for a patch with the shares of small elements near it replaced; nothing if there are none.
+  std::optional<FormFactorRow> corrected(const Patch& patch, const FormFactorRow& row);
 
  private:
   double factorTo(const Patch& patch, std::uint32_t element);

@@ -44,12 +44,17 @@ SceneFormFactors::SceneFormFactors(const Scene& scene, const Discretization& dis
   near_.emplace(scene, discretization_, layout_, byTexture);
 }
 
-RowSource SceneFormFactors::rowOf() {
-  return [this](const Patch& patch) { return corrected(patch, rows_.ofPatch(patch)); };
+FormFactorRow SceneFormFactors::row(const Patch& patch) {
+  FormFactorRow drawn = rows_.ofPatch(patch);
+  return corrected(patch, drawn).value_or(std::move(drawn));
 }
 
-FormFactorRow SceneFormFactors::corrected(const Patch& patch, FormFactorRow row) {
-  return near_ ? near_->corrected(patch, std::move(row)) : row;
+RowSource SceneFormFactors::rowOf() {
+  return [this](const Patch& patch) { return row(patch); };
+}
+
+std::optional<FormFactorRow> SceneFormFactors::corrected(const Patch& patch, const FormFactorRow& drawn) {
+  return near_ ? near_->corrected(patch, drawn) : std::nullopt;
 }
 
 OutsideFlux SceneFormFactors::outsideFlux() {

@@ -59,11 +59,13 @@ class SceneFormFactors {
   SceneFormFactors(const SceneFormFactors&) = delete;
   SceneFormFactors& operator=(const SceneFormFactors&) = delete;
 
-  /// The row of a patch, corrected. Keeps a reference to this object.
+  /// The row of a patch: drawn from its points, and corrected.
+  FormFactorRow row(const Patch& patch);
+  /// As `row`. Keeps a reference to this object.
   RowSource rowOf();
-  /// A row that was drawn for a patch, with the shares of small elements near it replaced (see NearReceivers), unless
-  /// no patch is to be split.
-  FormFactorRow corrected(const Patch& patch, FormFactorRow row);
+  /// A row that was drawn for a patch, with the shares of small elements near it replaced (see NearReceivers); nothing
+  /// if there are none, or if no patch is to be split.
+  std::optional<FormFactorRow> corrected(const Patch& patch, const FormFactorRow& drawn);
   /// The parts of patches during a solution; empty if no patch is to be split. Keeps a reference to this object.
   PatchSplit splits();
   /// The rows of low resolution that decide how patches are split; empty if no patch is to be split. Keeps a reference
@@ -72,7 +74,8 @@ class SceneFormFactors {
   /// The points that a patch would shoot from now with this weight; none if it would be split (see PatchSplit).
   std::vector<ViewPoint> likelyPoints(const Patches& patches, Patch patch, double weight);
   const IdLayout& layout() const { return layout_; }
-  ProjectedFormFactors& rows() { return rows_; }
+  /// What is drawn for rows, before they are corrected.
+  ProjectedFormFactors& uncorrected() { return rows_; }
   /// The flux from `scene.outside`, with eight times as many directions as a face has pixels along its side,
   /// or fewer for scenes of many triangles (see affordableViews).
   OutsideFlux outsideFlux();

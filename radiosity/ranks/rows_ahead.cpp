@@ -137,7 +137,7 @@ bool RowsAhead::areOthersSlow() const {
 
 FormFactorRow RowsAhead::computed(const Points& points) {
   const double start = seconds();
-  FormFactorRow row = formFactors_.rows().ofPoints(points);
+  FormFactorRow row = formFactors_.uncorrected().ofPoints(points);
   slowestRow_ = std::max(slowestRow_, seconds() - start);
   return row;
 }
@@ -148,14 +148,15 @@ FormFactorRow RowsAhead::row(const Patch& patch) {
     ++shots_;
   }
   aheadSeconds_ = 0;
-  FormFactorRow row = formFactors_.corrected(patch, rowOf(patch));
+  FormFactorRow drawn = rowOf(patch);
+  FormFactorRow row = formFactors_.corrected(patch, drawn).value_or(std::move(drawn));
   rowGiven_ = seconds();
   return row;
 }
 
 FormFactorRow RowsAhead::rowOf(const Patch& requested) {
   const std::uint32_t patch = requested.number;
-  const Points points = formFactors_.rows().pointsOfPatch(requested);
+  const Points points = formFactors_.uncorrected().pointsOfPatch(requested);
   const double start = seconds();
   while (isUnderWay(patch) && seconds() - start < patience * slowestRow_) {
     takeMessages();

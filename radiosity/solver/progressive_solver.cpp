@@ -139,7 +139,9 @@ void requireBalanced(const ShootingState& state, const Snapshot& snapshot) {
   const double emitted = bandSum(energy.emitted);
   const double missing = bandSum(glm::abs(energy.emitted - energy.absorbed - energy.unshot - energy.lost));
   const bool areSizes = snapshot.shots >= 0 && snapshot.absorbedByBacks.size() <= state.patches().list.size();
-  if (!areSizes || !(missing <= tolerance * emitted) || !areFluxes(snapshot.state.shot) ||
+  const glm::dvec3 rounding(tolerance * emitted);
+  const bool areLosses = areFluxes({energy.lostToBacks + rounding, energy.lost - energy.lostToBacks + rounding});
+  if (!areSizes || !areLosses || !(missing <= tolerance * emitted) || !areFluxes(snapshot.state.shot) ||
       !areFluxes(snapshot.state.received) || !areFluxes(snapshot.state.unshot) || !areFluxes(snapshot.absorbedByBacks))
     throw raster::InputError("the stored solution does not balance: it is not one of this scene");
 }
@@ -178,7 +180,7 @@ Solution solve(SolveInput input, const Progress& progress) {
   if (input.snapshot) requireBalanced(state, past);
   state.setSeen(input.seen.surfaces);
   const std::size_t bytes = input.settings.rowCacheBytes;
-  KeptRows rows{RowCache(input.isContinued ? bytes / 2 : bytes), RowCache(bytes / 2)};
+  KeptRows rows{RowCache(input.isContinued ? bytes / 2 : bytes), {RowCache(bytes / 2)}};
   Solution solution = shoot(input, state, input.rows != nullptr ? *input.rows : rows.ofPatches, progress, past);
   return finished(input, std::move(solution), std::move(state), std::move(rows));
 }

@@ -63,12 +63,14 @@ struct SolveInput {
 /// What `refine` continues from.
 struct Continuation {
   ShotLight light;
-  KeptRows rows;  ///< each cache with half the memory of the settings; `solve` leaves `ofViews` empty
+  KeptRows rows;  ///< each cache with half the memory of the settings; `solve` leaves `views` empty
 };
 
 struct SolutionWarning {
   std::string text;
   bool isAboutBacks = false;  ///< surfaces with two sides may be the remedy
+
+  bool operator==(const SolutionWarning&) const = default;
 };
 
 struct Solution {

@@ -71,7 +71,7 @@ SparseRow meanRow(const radiosity::Scene& scene, const radiosity::Discretization
   std::vector<Entry> mean;
   if (source.element) {
     const auto centre = radiosity::elementCentre(scene, discretization, *source.element);
-    addRow(mean, drawn.rows().from(source.surfaces.front(), centre), receivers, 1.0);
+    addRow(mean, drawn.uncorrected().from(source.surfaces.front(), centre), receivers, 1.0);
     return sumOf(std::move(mean), false);
   }
   std::vector<std::uint32_t> patches;
@@ -81,7 +81,7 @@ SparseRow meanRow(const radiosity::Scene& scene, const radiosity::Discretization
   for (const std::uint32_t patch : patches) area += discretization.patches.list[patch].area;
   for (const std::uint32_t number : patches) {
     const radiosity::Patch& patch = discretization.patches.list[number];
-    addRow(mean, drawn.rows().ofPatch(patch), receivers, patch.area / area);
+    addRow(mean, drawn.row(patch), receivers, patch.area / area);
   }
   return sumOf(std::move(mean), false);
 }
@@ -203,7 +203,7 @@ RowMethod drawnMethod(const radiosity::Scene& scene, const radiosity::Discretiza
   const auto row = [&scene, &receivers, split, drawn, patches](const Source& source) {
     return meanRow(scene, *split, *patches, *drawn, source, receivers);
   };
-  return {row, radiosity::formFactor(drawn->rows().projection().captured)};
+  return {row, radiosity::formFactor(drawn->uncorrected().projection().captured)};
 }
 
 RowMethod facetMethod(const radiosity::Scene& scene, const radiosity::Discretization& discretization,

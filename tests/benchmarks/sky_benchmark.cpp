@@ -101,7 +101,8 @@ void measureRows(const World& world, const std::vector<double>& truth) {
     for (const radiosity::Patch& patch : world.discretization.patches.list) {
       const std::uint32_t e = patch.elements.front();
       if (!(truth[e] > 0)) continue;
-      flux[e] = radiosity::formFactor(drawn.rows().ofPatch(patch).background) * world.discretization.elements[e].area;
+      flux[e] =
+          radiosity::formFactor(drawn.uncorrected().ofPatch(patch).background) * world.discretization.elements[e].area;
     }
     print("hemicubes", resolution, 0, flux, truth, secondsSince(start));
   }

@@ -38,7 +38,9 @@ struct Unsplit {
     const radiosity::Patches& patches = discretization.patches;
     return {scene, discretization, patches, radiosity::nothingShot(patches)};
   }
-  radiosity::FormFactorRow row(std::uint32_t patch) { return drawn.rows().ofPatch(discretization.patches.list[patch]); }
+  radiosity::FormFactorRow row(std::uint32_t patch) {
+    return drawn.uncorrected().ofPatch(discretization.patches.list[patch]);
+  }
 };
 
 const radiosity::Scene& cornellBox() { return tests::sceneNamed("cornell-box").scene; }

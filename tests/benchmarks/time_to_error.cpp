@@ -46,13 +46,14 @@ struct Choice {
 };
 
 /// The rows of `hemitex solve --method rays`: hemicubes determine how patches are split.
-reference::TradeRows splitRays(const radiosity::Scene& scene, const radiosity::Discretization& discretization,
-                               int rays) {
-  const auto drawn = std::make_shared<radiosity::SceneFormFactors>(
-      scene, discretization, radiosity::layOut(discretization), radiosity::DrawingSettings());
-  const auto rows = std::make_shared<reference::RayRows>(scene, discretization,
-                                                         reference::RayRowSettings{rays, reference::RayStart::Area});
-  return {[drawn, rows](const radiosity::Patch& patch) { return rows->ofPatch(patch); }, drawn->splits()};
+reference::TradeRows splitRays(int rays) {
+  const auto others = [rays](const radiosity::PatchRows& drawn, const radiosity::Scene& scene,
+                             const radiosity::Discretization& discretization) {
+    const auto rows = std::make_shared<reference::RayRows>(scene, discretization,
+                                                           reference::RayRowSettings{rays, reference::RayStart::Area});
+    return radiosity::PatchRows{[rows](const radiosity::Patch& patch) { return rows->ofPatch(patch); }, drawn.split};
+  };
+  return {.others = others};
 }
 
 std::vector<Variant> variants() {

@@ -8,7 +8,6 @@
 
 #include "radiosity/discretization/discretize.h"
 #include "radiosity/scene/load_scene.h"
-#include "radiosity/solver/progressive_solver.h"
 #include "reference/measurement/tradeoff/methods.h"
 #include "reference/truth/solution/radiosity_error.h"
 #include "tests/truth/baked_radiosity.h"
@@ -46,14 +45,9 @@ struct TracedScene {
 
   /// Radiosity by a method at a setting.
   std::vector<glm::dvec3> solvedBy(const reference::TradeMethod& method, int setting, double residual) const {
-    const reference::TradeRows rows = method.rows(scene, discretization, setting);
-    return radiosity::solve({.scene = scene,
-                             .discretization = discretization,
-                             .patches = discretization.patches,
-                             .rowOf = rows.rowOf,
-                             .split = rows.split,
-                             .settings = {.residual = residual}})
-        .radiosity;
+    const reference::TradeRows rows = method.rows(setting);
+    const radiosity::LightSettings settings{.drawing = rows.drawing, .solver = {.residual = residual}};
+    return radiosity::light(scene, discretization, settings, {.rows = rows.others}).solution.radiosity;
   }
 };
 

@@ -19,6 +19,7 @@ solve=(solve "$data/cornell-box.obj" --texels 16 --resolution 64 --shots 150 --s
 # Solutions of about a second: by shots, by growing effort, and with smaller elements.
 shots=(solve "$data/cornell-box.obj" --texels 16 --patch 1 --resolution 64 --shots 1500 --size 80x60 -q)
 bounded=(solve "$data/paper-room.obj" --texels 8 --max-error 0.002 --size 80x60 -q)
+bands=(solve "$data/paper-room.obj" --texels 8 --bands bands.json --resolution 64 --size 80x60 -q)
 adaptive=(solve "$data/paper-room.obj" --texels 16 --adaptive 0.0005 --resolution 64 --residual 1e-4 --size 80x60 -q)
 endless=(solve "$data/cornell-box.obj" --texels 16 --patch 1 --resolution 64 --residual 1e-300 --size 80x60 -q)
 
@@ -51,6 +52,10 @@ start() {
 # The processes of the ranks of `run`.
 processes() { pgrep -P "$run" || echo "$run"; }
 
+echo '{"wavelengths": [450, 500, 550, 600]}' >bands.json
+"$program" "${bands[@]}" -o bands1 || fail "solve --bands of one process"
+mpirun -n 2 "$program" "${bands[@]}" -o bands2 || fail "solve --bands with 2 ranks"
+[ "$(result_hash bands1)" = "$(result_hash bands2)" ] || fail "solve --bands with 2 ranks has other bytes"
 "$program" "${matrix[@]}" >matrix.csv || fail "formfactors of one process"
 "$program" "${solve[@]}" -o alone || fail "solve of one process"
 alone=$(result_hash alone)

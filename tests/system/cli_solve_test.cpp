@@ -330,7 +330,7 @@ TEST_CASE("hemitex solve treats a missing file of edits, and methods that cannot
   const Shell shell;
   writeAll(shell.file("edits.json"), R"({"frames": []})");
   for (const char* arguments :
-       {"none.json", "edits.json --method rays", "edits.json --discretize mesh", "edits.json --pixels-per-element 4"})
+       {"none.json", "edits.json --method rays", "edits.json --discretize mesh"})
     CHECK(shell.run(quickSolve + "-o out --edits " + arguments).exitCode == 2);
 }
 

@@ -10,11 +10,10 @@
 #include <vector>
 
 #include "radiosity/bands/element_table.h"
-#include "radiosity/base/csv_table.h"
+#include "radiosity/light/light.h"
 #include "radiosity/scene/load_scene.h"
-#include "radiosity/solver/dynamic_solution.h"
-#include "radiosity/solver/progressive_solver.h"
 #include "radiosity/solver/shooting_state.h"
+#include "radiosity/base/csv_table.h"
 #include "raster/base/input_error.h"
 #include "web/bindings/values.h"
 
@@ -130,34 +129,19 @@ class SolutionHandle {
   const radiosity::Solution& solution() const { return dynamic_ ? dynamic_->solution() : solution_; }
 
   void solve(bool isEditable) {
-    radiosity::Discretization divided = *elements_.discretization;
-    const auto layOut = [ids = ids_](const radiosity::Discretization& edited) {
-      return radiosity::layOut(edited, ids);
-    };
-    radiosity::SceneFormFactors drawn(*elements_.scene, divided, layOut(divided), drawing_);
-    radiosity::RowCache ofViews(solver_.rowCacheBytes / 2);
-    radiosity::SolveInput input{.scene = *elements_.scene,
-                                .discretization = divided,
-                                .patches = divided.patches,
-                                .rowOf = drawn.rowOf(),
-                                .split = drawn.splits(),
-                                .settings = solver_,
-                                .outside = drawn.outsideFlux(),
-                                .seen = {{}, drawn.scoutRows()},
-                                .isContinued = isEditable};
-    if (isEditable)
-      input.rowOf = [&](const radiosity::Patch& patch) { return radiosity::rowByViews(drawn.rows(), ofViews, patch); };
-    solution_ = radiosity::solve(std::move(input));
-    divided.patches = std::move(solution_.patches);
-    if (!isEditable) {
-      elements_.discretization = std::make_shared<const radiosity::Discretization>(std::move(divided));
-      return;
+    const radiosity::LightHooks hooks{
+        .layOut = [ids = ids_](const radiosity::Discretization& edited) { return radiosity::layOut(edited, ids); }};
+    radiosity::Light light = radiosity::light(
+        *elements_.scene, *elements_.discretization,
+        {.drawing = drawing_, .solver = solver_, .elements = elements_.settings, .isContinued = isEditable}, hooks);
+    if (isEditable) {
+      light.settings.solver.shots.reset();
+      dynamic_ =
+          std::make_unique<radiosity::DynamicSolution>(radiosity::editable(*elements_.scene, std::move(light), hooks));
+    } else {
+      solution_ = std::move(light.solution);
+      elements_.discretization = std::make_shared<const radiosity::Discretization>(std::move(light.discretization));
     }
-    solution_.continuation->rows.ofViews = std::move(ofViews);
-    solver_.shots.reset();
-    dynamic_ = std::make_unique<radiosity::DynamicSolution>(
-        *elements_.scene, std::move(divided), std::move(solution_),
-        radiosity::DynamicSettings{elements_.settings, drawing_, solver_}, layOut);
   }
 
   Value update(const std::vector<radiosity::Edit>& edits, int shots) {

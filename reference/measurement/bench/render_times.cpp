@@ -6,7 +6,7 @@
 
 #include "radiosity/discretization/discretize.h"
 #include "radiosity/form_factors/item_buffer_sum.h"
-#include "radiosity/form_factors/projected_form_factors.h"
+#include "radiosity/form_factors/scene_form_factors.h"
 #include "radiosity/index_maps/scene_draw_list.h"
 #include "radiosity/solver/progressive_solver.h"
 #include "raster/base/parallel.h"
@@ -17,8 +17,6 @@
 namespace hemitex::reference {
 namespace {
 
-using radiosity::ElementsBy;
-using radiosity::ProjectedFormFactors;
 using radiosity::View;
 
 /// Patches per repetition.
@@ -30,8 +28,6 @@ struct World {
       : scene(bench.scene),
         discretization(radiosity::discretize(scene, bench.elements)),
         layout(radiosity::layOut(discretization, bench.ids)),
-        textures(radiosity::sceneRenderer(scene, discretization, layout, ElementsBy::Texture)),
-        mesh(radiosity::sceneRenderer(scene, discretization, layout, ElementsBy::Mesh)),
         rays(radiosity::makeDrawList(scene, discretization, layout)) {
     for (const auto& [what, makeRenderer] : settings.devices)
       devices.emplace_back(what, makeRenderer(radiosity::makeDrawList(scene, discretization, layout)));
@@ -40,7 +36,6 @@ struct World {
   const radiosity::Scene& scene;
   radiosity::Discretization discretization;
   radiosity::IdLayout layout;
-  std::unique_ptr<raster::ItemBufferRenderer> textures, mesh;
   PixelRays rays;
   std::vector<std::pair<std::string, std::unique_ptr<raster::ItemBufferRenderer>>> devices;
 };
@@ -75,16 +70,22 @@ class Tasks {
   Tasks(World& world, int resolution)
       : world_(world),
         patches_(spreadPatches(world.discretization, patchesAtOnce)),
-        rows_(world.scene, world.discretization, world.layout, *world.textures, {.resolution = resolution}),
-        meshRows_(world.scene, world.discretization, world.layout, *world.mesh, {.resolution = resolution}),
+        rows_(world.scene, world.discretization, world.layout, {.resolution = resolution},
+              [this](raster::DrawList list) {
+                auto renderer = radiosity::softwareRenderer(std::move(list));
+                textures_ = renderer.get();
+                return renderer;
+              }),
+        meshRows_(world.scene, world.discretization, world.layout,
+                  {.resolution = resolution, .split = 1, .elementsBy = radiosity::ElementsBy::Mesh}),
         sum_(world.discretization, world.layout) {
-    for (const radiosity::Patch& patch : patches_) views_.push_back(rows_.viewsOfPatch(patch).front());
-    add("hemicube", [this](std::size_t i) { rows_.ofPatch(patches_[i]); });
-    addDrawing("draw", *world.textures);
+    for (const radiosity::Patch& patch : patches_) views_.push_back(rows_.uncorrected().viewsOfPatch(patch).front());
+    add("hemicube", [this](std::size_t i) { rows_.row(patches_[i]); });
+    addDrawing("draw", *textures_);
     add("embree", [this](std::size_t i) { world_.rays.cast(views_[i].faces, hits_); });
     addFloor();
     for (const auto& [what, device] : world.devices) addDrawing(what, *device);
-    add("hemicube-mesh", [this](std::size_t i) { meshRows_.ofPatch(patches_[i]); });
+    add("hemicube-mesh", [this](std::size_t i) { meshRows_.row(patches_[i]); });
     tasks_.push_back({"solution", [this] { solve(); }});
   }
   Tasks(const Tasks&) = delete;
@@ -104,13 +105,12 @@ class Tasks {
 
   /// One patch only: a hemicube finds its item IDs in the cache, but those of several patches do not fit there.
   void addFloor() {
-    const auto drawn = render(*world_.textures, views_.front().faces, views_.front().skipped);
+    const auto drawn = render(*textures_, views_.front().faces, views_.front().skipped);
     std::size_t pixels = 0;
     for (const raster::ItemBuffer& buffer : drawn) pixels += buffer.ids.size();
-    const auto clearAndSum = [this, drawn, clear = clearing(pixels),
-                              faces = radiosity::wholeFaces(rows_.projection())] {
+    const auto clearAndSum = [this, drawn, clear = clearing(pixels), &projection = rows_.uncorrected().projection()] {
       clear();
-      sum_.rowOf(rows_.projection(), faces, drawn);
+      sum_.rowOf(projection, radiosity::wholeFaces(projection), drawn);
     };
     tasks_.push_back({"floor", clearAndSum});
   }
@@ -123,14 +123,16 @@ class Tasks {
     shots_ = radiosity::solve({.scene = world_.scene,
                                .discretization = world_.discretization,
                                .patches = world_.discretization.patches,
-                               .rowOf = [this](const radiosity::Patch& patch) { return rows_.ofPatch(patch); },
+                               .rowOf = rows_.rowOf(),
+                               .split = rows_.splits(),
                                .settings = {.residual = 0, .shots = benchShots, .rowCacheBytes = 0}})
                  .shots;
   }
 
   World& world_;
   std::vector<radiosity::Patch> patches_;
-  ProjectedFormFactors rows_, meshRows_;
+  raster::ItemBufferRenderer* textures_ = nullptr;  ///< of `rows_`
+  radiosity::SceneFormFactors rows_, meshRows_;
   radiosity::ItemBufferSum sum_;
   std::vector<View> views_;  ///< one per patch
   std::vector<raster::ItemBuffer> ids_, hits_;

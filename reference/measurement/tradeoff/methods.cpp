@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "radiosity/form_factors/level_of_detail.h"
-#include "radiosity/form_factors/scene_form_factors.h"
 #include "reference/truth/rays/embree_form_factors.h"
 
 namespace hemitex::reference {
@@ -27,12 +26,10 @@ double directionsOf(radiosity::ProjectionKind projection, int resolution) {
 /// A method that draws; its setting is the resolution.
 TradeMethod drawnMethod(const std::string& name, const radiosity::DrawingSettings& style,
                         const std::vector<int>& measured = {32, 64, 128, 256, 512}) {
-  const auto rows = [style](const Scene& scene, const Discretization& discretization, int resolution) -> TradeRows {
+  const auto rows = [style](int resolution) -> TradeRows {
     radiosity::DrawingSettings settings = style;
     settings.resolution = resolution;
-    const auto drawn = std::make_shared<radiosity::SceneFormFactors>(scene, discretization,
-                                                                     radiosity::layOut(discretization), settings);
-    return {[drawn](const radiosity::Patch& patch) { return drawn->rows().ofPatch(patch); }, drawn->splits()};
+    return {settings};
   };
   const auto directions = [style](int resolution) { return directionsOf(style.projection, resolution); };
   const auto bytes = [style](int resolution) {
@@ -42,9 +39,12 @@ TradeMethod drawnMethod(const std::string& name, const radiosity::DrawingSetting
 }
 
 TradeMethod rayMethod(const std::string& name, RayStart start, std::uint32_t seed) {
-  const auto rows = [start, seed](const Scene& scene, const Discretization& discretization, int rays) -> TradeRows {
-    const auto rayRows = std::make_shared<RayRows>(scene, discretization, RayRowSettings{rays, start, seed});
-    return {[rayRows](const radiosity::Patch& patch) { return rayRows->ofPatch(patch); }};
+  const auto rows = [start, seed](int rays) -> TradeRows {
+    const auto others = [=](const radiosity::PatchRows&, const Scene& scene, const Discretization& discretization) {
+      const auto rayRows = std::make_shared<RayRows>(scene, discretization, RayRowSettings{rays, start, seed});
+      return radiosity::PatchRows{[rayRows](const radiosity::Patch& patch) { return rayRows->ofPatch(patch); }};
+    };
+    return {.others = others};
   };
   // A direction and a start point.
   const auto bytes = [](int rays) { return static_cast<std::size_t>(rays) * 5 * sizeof(float); };

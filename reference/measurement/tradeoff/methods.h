@@ -9,16 +9,14 @@
 #include <string>
 #include <vector>
 
-#include "radiosity/discretization/discretization.h"
-#include "radiosity/scene/scene.h"
-#include "radiosity/solver/progressive_solver.h"
+#include "radiosity/light/light.h"
 
 namespace hemitex::reference {
 
-/// Computes rows and, for some methods, splits patches.
+/// How a method computes rows.
 struct TradeRows {
-  radiosity::RowSource rowOf;
-  radiosity::PatchSplit split = {};
+  radiosity::DrawingSettings drawing = {};
+  decltype(radiosity::LightHooks::rows) others = {};  ///< see LightHooks; empty if rows are drawn
 };
 
 struct TradeMethod {
@@ -28,8 +26,7 @@ struct TradeMethod {
   std::vector<int> measured;                    ///< default settings, ascending
   std::function<double(int)> directions;        ///< pixels or rays per row, for a setting
   std::function<std::size_t(int)> bufferBytes;  ///< bytes of item buffers, or of the rays of a row
-  /// Prepares to compute the rows of a discretization at a setting. Both references must outlive the result.
-  std::function<TradeRows(const radiosity::Scene&, const radiosity::Discretization&, int)> rows;
+  std::function<TradeRows(int)> rows;           ///< for a setting
 };
 
 /// All methods:

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <memory>
 #include <optional>
 #include <utility>
 
@@ -26,43 +25,54 @@ std::vector<double> patchFlux(const Discretization& fine, const TrueRadiosity& t
   return flux;
 }
 
-struct TimedSolution {
-  Discretization discretization;  ///< with the patches as split
-  radiosity::RowSource rowOf;
-  radiosity::Solution solution;
-  Rows rows;  ///< of the patches that shot
-  double seconds = 0;
-};
-
-std::unique_ptr<TimedSolution> timedSolution(const Scene& scene, const TradeMethod& method, const TradeChoice& choice) {
-  auto timed = std::make_unique<TimedSolution>();
-  Discretization& discretization = timed->discretization;
-  discretization = radiosity::discretize(scene, {.texels = choice.texels, .patch = choice.patch});
-  const Stopwatch watch;
-  const TradeRows source = method.rows(scene, discretization, choice.setting);
-  timed->rowOf = source.rowOf;
-  const auto keepRow = [&](const radiosity::Patch& patch) {
-    if (timed->rows.size() <= patch.number) timed->rows.resize(patch.number + 1);
-    timed->rows[patch.number] = source.rowOf(patch);
-    return *timed->rows[patch.number];
-  };
-  timed->solution = radiosity::solve({.scene = scene,
-                                      .discretization = discretization,
-                                      .patches = std::move(discretization.patches),
-                                      .rowOf = keepRow,
-                                      .split = source.split,
-                                      .settings = {.residual = tradeResidual}});
-  timed->seconds = watch.seconds();
-  discretization.patches = std::move(timed->solution.patches);
-  timed->rows.resize(discretization.patches.list.size());
-  return timed;
-}
-
 std::size_t bytesOf(const Rows& rows) {
   std::size_t bytes = 0;
   for (const std::optional<FormFactorRow>& row : rows)
     if (row) bytes += row->elements.size() * (sizeof row->elements[0] + sizeof row->shares[0]);
   return bytes;
+}
+
+struct TimedSolution {
+  radiosity::Light light;
+  double seconds = 0;
+  std::size_t rowCount = 0, rowBytes = 0;  ///< of the patches that shot
+  Rows rows;                               ///< of all patches
+};
+
+/// The rows of patches that did not shoot are computed after the time is taken.
+TimedSolution timedSolution(const Scene& scene, const TradeMethod& method, const TradeChoice& choice) {
+  TimedSolution timed;
+  Rows& rows = timed.rows;
+  const TradeRows source = method.rows(choice.setting);
+  radiosity::RowSource rowOf;
+  const Stopwatch watch;
+  const radiosity::LightHooks hooks{
+      .rows =
+          [&](radiosity::PatchRows drawn, const Scene& of, const Discretization& elements) {
+            radiosity::PatchRows found = source.others ? source.others(drawn, of, elements) : std::move(drawn);
+            rowOf = found.rowOf;
+            found.rowOf = [&](const radiosity::Patch& patch) {
+              if (rows.size() <= patch.number) rows.resize(patch.number + 1);
+              rows[patch.number] = rowOf(patch);
+              return *rows[patch.number];
+            };
+            return found;
+          },
+      .solve =
+          [&](radiosity::SolveInput input, Discretization&, const radiosity::Progress&) {
+            radiosity::Solution solution = radiosity::solve(std::move(input));
+            timed.seconds = watch.seconds();
+            timed.rowCount = static_cast<std::size_t>(
+                std::count_if(rows.begin(), rows.end(), [](const auto& row) { return row.has_value(); }));
+            timed.rowBytes = bytesOf(rows);
+            rows.resize(solution.patches.list.size());
+            for (const radiosity::Patch& patch : solution.patches.list)
+              if (!rows[patch.number]) rows[patch.number] = rowOf(patch);
+            return solution;
+          }};
+  timed.light = radiosity::light(scene, radiosity::discretize(scene, {.texels = choice.texels, .patch = choice.patch}),
+                                 {.drawing = source.drawing, .solver = {.residual = tradeResidual}}, hooks);
+  return timed;
 }
 
 std::size_t bytesOf(const Discretization& discretization) {
@@ -73,27 +83,25 @@ std::size_t bytesOf(const Discretization& discretization) {
   return bytes;
 }
 
-/// Computes all results except times. Rows of patches that did not shoot, but have true flux, are computed here.
+/// Computes all results except times.
 TradeMeasurement judge(const Discretization& fine, const TrueRadiosity& truth, const TradeMethod& method,
                        const TradeChoice& choice, TimedSolution& timed) {
-  const Discretization& discretization = timed.discretization;
+  const Discretization& discretization = timed.light.discretization;
   TradeMeasurement measurement;
   measurement.choice = choice;
   measurement.elements = discretization.elements.size();
   measurement.patches = discretization.patches.list.size();
-  measurement.rows = static_cast<std::size_t>(
-      std::count_if(timed.rows.begin(), timed.rows.end(), [](const auto& row) { return row.has_value(); }));
-  measurement.shots = timed.solution.shots;
-  measurement.error = errorOf(fine, onOtherGrids(discretization, timed.solution.radiosity, fine), truth.radiosity);
+  measurement.rows = timed.rowCount;
+  measurement.shots = timed.light.solution.shots;
+  measurement.error =
+      errorOf(fine, onOtherGrids(discretization, timed.light.solution.radiosity, fine), truth.radiosity);
   measurement.bufferBytes = method.bufferBytes(choice.setting);
-  measurement.rowBytes = bytesOf(timed.rows);
+  measurement.rowBytes = timed.rowBytes;
   measurement.elementBytes = bytesOf(discretization);
   const std::vector<double> flux = patchFlux(fine, truth, discretization);
-  for (std::uint32_t patch = 0; patch < timed.rows.size(); ++patch)
-    if (!timed.rows[patch] && flux[patch] > 0) timed.rows[patch] = timed.rowOf(discretization.patches.list[patch]);
   measurement.rowError =
       rowError(patchRows(timed.rows, discretization), patchRows(truth.matrix, fine, discretization), flux);
-  measurement.radiosity = std::move(timed.solution.radiosity);
+  measurement.radiosity = std::move(timed.light.solution.radiosity);
   return measurement;
 }
 
@@ -133,9 +141,9 @@ std::vector<TradeMeasurement> measureTradeoff(const Scene& scene, const Discreti
   const auto secondsOf = [&](std::size_t i, int round) {
     if (progress) progress(static_cast<std::size_t>(round) * choices.size() + i, choices.size() * tradeRounds);
     const TradeMethod& method = methods[choices[i].method];
-    const std::unique_ptr<TimedSolution> timed = timedSolution(scene, method, choices[i]);
-    if (round == 0) measurements.push_back(judge(fine, truth, method, choices[i], *timed));
-    return timed->seconds;
+    TimedSolution timed = timedSolution(scene, method, choices[i]);
+    if (round == 0) measurements.push_back(judge(fine, truth, method, choices[i], timed));
+    return timed.seconds;
   };
   const std::vector<Timing> timings = interleavedTimings(choices.size(), tradeRounds, secondsOf, longTime);
   for (std::size_t i = 0; i < timings.size(); ++i) measurements[i].seconds = timings[i];

@@ -76,12 +76,13 @@ TEST_CASE("inColour sums shots, and has the largest residual and the warnings of
   bands.groups[0].shots = 3;
   bands.groups[1].shots = 4;
   bands.groups[0].residual = 0.5;
-  bands.groups[0].warnings = {"a"};
-  bands.groups[1].warnings = {"b"};
+  bands.groups[0].warnings = {{"a"}};
+  bands.groups[1].warnings = {{"b"}};
   bands.groups[1].isInterrupted = true;
   const Solution colours = inColour(scene, discretization, bands);
   CHECK(colours.shots == 7);
   CHECK(colours.residual == 0.5);
-  CHECK(colours.warnings == std::vector<std::string>{"a"});
+  REQUIRE(colours.warnings.size() == 1);
+  CHECK(colours.warnings[0].text == "a");
   CHECK(colours.isInterrupted);
 }

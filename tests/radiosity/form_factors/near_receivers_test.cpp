@@ -25,7 +25,7 @@ FormFactorRow rowOfFloor(const Scene& scene, bool isCorrected) {
   const Discretization discretization = discretize(scene, {.texels = 1});
   SceneFormFactors drawn(scene, discretization, layOut(discretization), {.resolution = 256});
   const Patch& patch = discretization.patches.list.front();
-  return isCorrected ? drawn.rowOf()(patch) : drawn.rows().ofPatch(patch);
+  return isCorrected ? drawn.row(patch) : drawn.uncorrected().ofPatch(patch);
 }
 
 double shareOf(const FormFactorRow& row, std::uint32_t element) {

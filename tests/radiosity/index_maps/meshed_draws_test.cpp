@@ -307,7 +307,7 @@ TEST_CASE("solutions with makeMeshedDraws and makeDrawList differ by no more tha
       radiosity::SceneFormFactors drawn(scene, unsplit, layoutOf(unsplit),
                                         {.resolution = 128, .split = 1, .elementsBy = method});
       std::vector<radiosity::FormFactorRow>& ofMethod = rows.emplace_back();
-      for (const radiosity::Patch& patch : unsplit.patches.list) ofMethod.push_back(drawn.rows().ofPatch(patch));
+      for (const radiosity::Patch& patch : unsplit.patches.list) ofMethod.push_back(drawn.uncorrected().ofPatch(patch));
       const auto rowOf = [&](const radiosity::Patch& patch) { return ofMethod[patch.number]; };
       solutions.push_back(radiosity::solve({.scene = scene,
                                             .discretization = unsplit,

@@ -24,7 +24,7 @@ struct DrawnPoint {
   /// The view from a point of the first surface.
   View view(const glm::dvec2& weights) {
     const SurfacePoint point = pointOn(scene.surfaces[0], 0, weights);
-    return factors.rows().viewFrom({.surface = 0, .point = point, .up = {}, .area = 1});
+    return factors.uncorrected().viewFrom({.surface = 0, .point = point, .up = {}, .area = 1});
   }
   double covered(const View& view, std::uint32_t surface) const {
     double sum = 0;
@@ -72,7 +72,7 @@ TEST_CASE("coveredShare of a triangle that nothing hides is the light of its dra
     back.triangles[0].position = {a, c, b};
     DrawnPoint drawn(sceneOf({floor, single}));
     const View view = drawn.view({0.3, 0.3});
-    const FormFactorRow row = drawn.factors.rows().ofView(view);
+    const FormFactorRow row = drawn.factors.uncorrected().ofView(view);
     const double seen = row.elements.empty() ? 0 : formFactor(row.shares[0]);
     const double covered = drawn.covered(view, 1);
     CAPTURE(n, seen, covered);

@@ -12,6 +12,7 @@
 
 #include "radiosity/discretization/discretize.h"
 #include "radiosity/discretization/patch_points.h"
+#include "radiosity/light/light.h"
 #include "radiosity/solver/row_update.h"
 #include "raster/base/input_error.h"
 #include "raster/base/parallel.h"
@@ -55,20 +56,13 @@ DynamicSettings settings(double limit = residual) {
 
 DynamicSolution solved(const DynamicSettings& some, const RendererFactory& makeRenderer = softwareRenderer,
                        const Scene& scene = lampRoom()) {
-  Discretization discretization = discretize(scene, some.discretization);
-  SceneFormFactors drawn(scene, discretization, layOutIds(discretization), some.drawing, makeRenderer);
-  RowCache ofViews(some.solver.rowCacheBytes / 2);
-  Solution solution = solve({.scene = scene,
-                             .discretization = discretization,
-                             .patches = std::move(discretization.patches),
-                             .rowOf = [&](const Patch& patch) { return rowByViews(drawn.rows(), ofViews, patch); },
-                             .split = drawn.splits(),
-                             .settings = some.solver,
-                             .outside = drawn.outsideFlux(),
-                             .isContinued = true});
-  discretization.patches = std::move(solution.patches);
-  solution.continuation->rows.ofViews = std::move(ofViews);
-  return {scene, std::move(discretization), std::move(solution), some, layOutIds, makeRenderer};
+  const LightHooks hooks{.layOut = layOutIds, .makeRenderer = makeRenderer};
+  return editable(
+      scene,
+      light(scene, discretize(scene, some.discretization),
+            {.drawing = some.drawing, .solver = some.solver, .elements = some.discretization, .isContinued = true},
+            hooks),
+      hooks);
 }
 
 std::unique_ptr<DynamicSolution> solved(double limit = residual) {
@@ -77,9 +71,7 @@ std::unique_ptr<DynamicSolution> solved(double limit = residual) {
 
 /// The current scene, solved from its emission on.
 ShotLight freshLight(const DynamicSolution& dynamic, double limit = residual) {
-  DrawingSettings unsplit = settings().drawing;
-  unsplit.split = 1;
-  SceneFormFactors drawn(dynamic.scene(), dynamic.discretization(), dynamic.layout(), unsplit);
+  SceneFormFactors drawn(dynamic.scene(), dynamic.discretization(), dynamic.layout(), settings().drawing);
   return solve({.scene = dynamic.scene(),
                 .discretization = dynamic.discretization(),
                 .patches = dynamic.discretization().patches,
@@ -154,7 +146,7 @@ struct MovedCube {
         before(scene, discretization, layOutIds(discretization), unsplit(resolution)),
         after(edit.scene, discretization, layOutIds(discretization), unsplit(resolution)),
         isCube(cubesOf(scene)),
-        change{before.rows(), after.rows(), {scene, isCube}, {edit.scene, isCube}} {}
+        change{before.uncorrected(), after.uncorrected(), {scene, isCube}, {edit.scene, isCube}} {}
 
   static DrawingSettings unsplit(int resolution) {
     return {.resolution = resolution, .orientation = Orientation::Turned, .split = 1};
@@ -267,7 +259,7 @@ TEST_CASE("changeOf in windows is the exact difference of the rows before and af
   int windows = 0, whole = 0, nothing = 0;
   for (const Patch& patch : discretization.patches.list) {
     if (isCube[patch.surface]) continue;
-    const FormFactorRow old = before.rows().ofPatch(patch), now = after.rows().ofPatch(patch);
+    const FormFactorRow old = before.uncorrected().ofPatch(patch), now = after.uncorrected().ofPatch(patch);
     const RowChange difference = changeOf(change, patch, patch);
     const FormFactorRow updated = exchanged(old, difference.before, difference.after);
     CHECK(updated.elements == now.elements);
@@ -277,7 +269,7 @@ TEST_CASE("changeOf in windows is the exact difference of the rows before and af
     ++(difference.isNothing() ? nothing : difference.isWhole ? whole : windows);
     // No more light is redirected than the bound allows.
     const SurfacePoint centre = patchCentre(scene, discretization, patch);
-    const double pixel = pixelAngle(after.rows().projection());
+    const double pixel = pixelAngle(after.uncorrected().projection());
     const double bound =
         std::min(1.0, change.gone.largestShare(centre, pixel) + change.come.largestShare(centre, pixel));
     CHECK(formFactor(redirected(old, now)) <= bound);
@@ -304,10 +296,10 @@ TEST_CASE("changeOf the mean of several points' rows is the change of the mean, 
     CHECK_FALSE(difference.isWhole);
     changed += difference.isRounded ? 1 : 0;
     std::vector<double> sums(discretization.elements.size() + 1);
-    add(sums, before.rows().ofPatch(patch), -1);
+    add(sums, before.uncorrected().ofPatch(patch), -1);
     add(sums, difference.before, 1);
     add(sums, difference.after, -1);
-    add(sums, after.rows().ofPatch(patch), 1);
+    add(sums, after.uncorrected().ofPatch(patch), 1);
     // Four sums of form factors up to 1 in double precision, and the units of 2^-60 that the largest share takes.
     for (const double sum : sums) CHECK(std::abs(sum) <= 4 * 0x1p-52);
   }

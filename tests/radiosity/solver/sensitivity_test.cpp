@@ -36,7 +36,7 @@ struct Box {
     scene.outside.sky = {0.5, 1, 2};
     discretization = discretize(scene, {.texels = 3, .patch = 2});
     SceneFormFactors formFactors(scene, discretization, layOut(discretization), {.resolution = 64, .split = 1});
-    for (const Patch& patch : discretization.patches.list) rows.push_back(formFactors.rows().ofPatch(patch));
+    for (const Patch& patch : discretization.patches.list) rows.push_back(formFactors.uncorrected().ofPatch(patch));
     outside = formFactors.outsideFlux();
     std::vector<glm::dvec3> reflectances, emissions;
     for (std::uint32_t e = 0; e < discretization.elements.size(); ++e) {
@@ -126,11 +126,12 @@ TEST_CASE("sensitivity in a furnace has the derivatives of E / (1 - rho)", "[sol
   SceneFormFactors formFactors(scene, discretization, layOut(discretization), {.resolution = 64, .split = 1});
   const std::vector<glm::dvec3> mean(discretization.elements.size(),
                                      glm::dvec3(1.0 / static_cast<double>(discretization.elements.size())));
-  const Sensitivity result = sensitivity({.scene = scene,
-                                          .discretization = discretization,
-                                          .patches = discretization.patches,
-                                          .rowOf = [&](const Patch& from) { return formFactors.rows().ofPatch(from); }},
-                                         mean);
+  const Sensitivity result =
+      sensitivity({.scene = scene,
+                   .discretization = discretization,
+                   .patches = discretization.patches,
+                   .rowOf = [&](const Patch& from) { return formFactors.uncorrected().ofPatch(from); }},
+                  mean);
   glm::dvec3 byEmission(0.0), byReflectance(0.0);
   for (const glm::dvec3& value : result.byEmission) byEmission += value;
   for (const glm::dvec3& value : result.byReflectance) byReflectance += value;

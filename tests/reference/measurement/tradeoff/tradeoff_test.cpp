@@ -30,7 +30,7 @@ Scene litCube() {
 
 /// A method whose rows are those of the true matrix, times `factor`.
 TradeMethod rowsOfTruth(const TrueRadiosity& truth, const Discretization& fine, double factor) {
-  const auto rows = [&truth, &fine, factor](const Scene&, const Discretization& own, int) -> TradeRows {
+  const auto others = [&truth, &fine, factor](const radiosity::PatchRows&, const Scene&, const Discretization& own) {
     const auto all = std::make_shared<PatchRows>(patchRows(truth.matrix, fine, own));
     const auto rowOf = [all, factor](const radiosity::Patch& patch) {
       FormFactorRow row;
@@ -45,7 +45,7 @@ TradeMethod rowsOfTruth(const TrueRadiosity& truth, const Discretization& fine, 
       }
       return row;
     };
-    return {rowOf};
+    return radiosity::PatchRows{rowOf};
   };
   return {.name = "truth",
           .setting = "none",
@@ -54,7 +54,7 @@ TradeMethod rowsOfTruth(const TrueRadiosity& truth, const Discretization& fine, 
           .measured = {1},
           .directions = [](int) { return 1.0; },
           .bufferBytes = [](int) { return std::size_t{0}; },
-          .rows = rows};
+          .rows = [others](int) { return TradeRows{.drawing = {.split = 1}, .others = others}; }};
 }
 
 struct Measured {

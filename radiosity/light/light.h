@@ -1,0 +1,81 @@
+/// The light of a scene, in one call: draws the rows of its patches, shoots, and chooses elements or effort if asked.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "radiosity/discretization/discretization.h"
+#include "radiosity/form_factors/scene_form_factors.h"
+#include "radiosity/index_maps/id_layout.h"
+#include "radiosity/ranks/messenger.h"
+#include "radiosity/ranks/rows_ahead.h"
+#include "radiosity/scene/scene.h"
+#include "radiosity/solver/dynamic_solution.h"
+#include "radiosity/solver/error_control.h"
+#include "radiosity/solver/progressive_solver.h"
+
+namespace hemitex::radiosity {
+
+struct LightSettings {
+  DrawingSettings drawing = {};
+  SolverSettings solver = {};
+  /// Above 0. Solves with growing effort until both expected errors are within it (error_control.h): chooses the
+  /// resolution and the splits of `drawing`, and the residual of `solver`.
+  std::optional<double> maxError = {};
+  std::vector<bool> seen = {};  ///< with maxError: whether surfaces are seen; see SeenLight
+  /// Above 0. Splits elements where radiosity changes by more than this share (adaptive_subdivision.h).
+  std::optional<double> adaptive = {};
+  DiscretizationSettings elements = {};  ///< of adaptive elements, and of those that edits add
+  bool isContinued = false;              ///< keeps what edits go on from (see editable)
+};
+
+/// The rows of a solution, and the patches that they are of.
+struct PatchRows {
+  RowSource rowOf;
+  PatchSplit split = {};                               ///< see SolveInput
+  double captured = 1;                                 ///< share of a patch's light that rows hold; the rest is lost
+  std::function<void(const Step& step)> prepare = {};  ///< called after each shot: computes rows of likely shots
+};
+
+/// How a solution starts, and who follows it.
+struct SolutionStart {
+  std::optional<Snapshot> snapshot = {};  ///< goes on from here
+  Progress progress = {};
+};
+
+/// What callers change of the computation.
+struct LightHooks {
+  LayoutFactory layOut = [](const Discretization& discretization) { return radiosity::layOut(discretization); };
+  RendererFactory makeRenderer = softwareRenderer;
+  /// Called at the start of each solution; a choice of elements or effort has several. The settings outlive it.
+  std::function<SolutionStart(const SolverSettings& settings)> start = {};
+  /// Gives other rows than those that are drawn, or goes around these. The arguments outlive the solution.
+  std::function<PatchRows(PatchRows drawn, const Scene& scene, const Discretization& discretization)> rows = {};
+  /// Finds a solution in another way than `solve`. May change the values of the discretization, to which the input
+  /// refers.
+  std::function<Solution(SolveInput input, Discretization& discretization, const Progress& progress)> solve = {};
+  Messenger* ranks = nullptr;  ///< the ranks that share rows; null if this process is alone
+};
+
+struct Light {
+  LightSettings settings;              ///< with what was chosen
+  Discretization discretization = {};  ///< with the patches as split during the solution
+  IdLayout layout = {};
+  Solution solution = {};                          ///< without its patches
+  double captured = 1;                             ///< see PatchRows
+  std::optional<LightErrors> expectedErrors = {};  ///< with maxError, unless the progress ended the choice
+  std::optional<RowCounts> rowsAhead = {};         ///< of the last solution, with ranks
+};
+
+/// Solves a scene with elements, which adaptive ones replace; their error is then bounded. If the progress ends a
+/// solution, the result is that of
+/// its last shot. With several ranks all call this; ranks other than 0 compute rows, and their result has no light.
+/// Throws InputError as `solve`, as chooseEffort and as adaptiveDiscretization.
+Light light(const Scene& scene, Discretization discretization, const LightSettings& settings = {},
+            const LightHooks& hooks = {});
+
+/// A solution that follows edits of its scene. `light` was solved with isContinued.
+DynamicSolution editable(Scene scene, Light light, const LightHooks& hooks = {});
+
+}  // namespace hemitex::radiosity
