@@ -227,7 +227,10 @@ TEST_CASE("randomPair detects faults without expected item IDs", "[random]") {
     return equalPairs(relation, 100, [&](const TestVector& vector) { return tests::drawAll(device, vector); });
   };
   reference::StagedDevice affine, withoutDepthTest;
-  affine.weight = [](double) { return 1.0; };
+  affine.interpolate = [](const raster::SnappedTriangle& triangle, const raster::SnappedPoint& position) {
+    const glm::dvec3 sum = reference::weightedSum(triangle, weightsAt(triangle, position), [](double) { return 1.0; });
+    return glm::dvec2(sum) / sum.z;
+  };
   withoutDepthTest.passes = [](double, double) { return true; };
   CHECK(equalWith(affine, tests::Relation::SplitTriangle) < 90);
   CHECK(equalWith(affine, tests::Relation::PermutedDraws) == 100);
