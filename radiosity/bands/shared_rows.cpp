@@ -88,7 +88,7 @@ std::vector<Solution> solveWithSameRows(std::size_t count, Patches patches, cons
       solutions.push_back(solve(std::move(input), shown));
     } else {
       ShotLight light = expectedLight(input, before, *rows);
-      solutions.push_back(refine(std::move(input), {std::move(light), {RowCache(0), {RowCache(0)}}}, shown));
+      solutions.push_back(refine(std::move(input), {std::move(light), {RowCache(0), RowCache(0)}}, shown));
     }
     Solution& solution = solutions.back();
     add(solution, before);

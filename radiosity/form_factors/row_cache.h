@@ -6,7 +6,6 @@
 #include <functional>
 #include <list>
 #include <map>
-#include <set>
 
 #include "radiosity/form_factors/form_factor_row.h"
 
@@ -39,18 +38,11 @@ class RowCache {
   std::map<std::uint64_t, std::list<Entry>::iterator> byNumber_;
 };
 
-/// The rows of views as they were drawn, by view number (see dynamic_solution.h), and the patches whose rows were
-/// corrected after the mean of their views (see near_receivers.h).
-struct KeptViews {
-  RowCache rows;
-  std::set<std::uint32_t> corrected = {};
-};
-
 /// Rows of patches, and of the views that they are means of. Windows update rows of views exactly, so that their means
 /// equal those of a complete drawing.
 struct KeptRows {
   RowCache ofPatches;
-  KeptViews views;
+  RowCache ofViews;  ///< by view number (see dynamic_solution.h)
 };
 
 }  // namespace hemitex::radiosity

@@ -64,11 +64,12 @@ class Solutions {
   void solveWith(SceneFormFactors& drawn) {
     const LightSettings& settings = result_.settings;
     const SolutionStart start = hooks_.start ? hooks_.start(settings.solver) : SolutionStart();
-    KeptViews views{RowCache(settings.solver.rowCacheBytes / 2)};
+    RowCache ofViews(settings.solver.rowCacheBytes / 2);
     PatchRows rows{.rowOf = drawn.rowOf(),
                    .split = drawn.splits(),
                    .captured = formFactor(drawn.uncorrected().projection().captured)};
-    if (settings.isContinued) rows.rowOf = [&](const Patch& patch) { return rowByViews(drawn, views, patch); };
+    if (settings.isContinued)
+      rows.rowOf = [&](const Patch& patch) { return rowByViews(drawn.uncorrected(), ofViews, patch); };
     if (hooks_.rows) rows = hooks_.rows(std::move(rows), scene_, result_.discretization);
     std::optional<RowsAhead> ahead;
     if (hooks_.ranks) {
@@ -98,7 +99,7 @@ class Solutions {
     }
     result_.captured = rows.captured;
     result_.discretization.patches = std::move(result_.solution.patches);
-    if (result_.solution.continuation) result_.solution.continuation->rows.views = std::move(views);
+    if (result_.solution.continuation) result_.solution.continuation->rows.ofViews = std::move(ofViews);
   }
 
   const Scene& scene_;

@@ -116,10 +116,7 @@ class LightUpdate {
         change_{before.drawn.uncorrected(), after.drawn.uncorrected(), ChangedSurfaces(before.scene, numbers_.isGone),
                 ChangedSurfaces(after.scene, numbers_.isCome)},
         kept_(kept),
-        rows_{RowCache(rowCacheBytes / 2), {RowCache(rowCacheBytes / 2)}} {
-    for (const std::uint32_t patch : kept.views.corrected)
-      if (numbers_.patch[patch]) rows_.views.corrected.insert(*numbers_.patch[patch]);
-  }
+        rows_{RowCache(rowCacheBytes / 2), RowCache(rowCacheBytes / 2)} {}
 
   /// `outside` is the flux from outside after the edit, `mayLeave` the flux that may become stale.
   void update(const ShotLight& light, OutsideFlux outside, double mayLeave) {
@@ -137,7 +134,7 @@ class LightUpdate {
       else if (left.isLeft[p])
         ++cost_.rowsLeft;
       else if (bounds[p] > 0)
-        kept_.views.corrected.contains(p) ? redirectWhole(p, light.shot[p]) : redirect(p, light.shot[p]);
+        redirect(p, light.shot[p]);
     }
     // Stale rows may have sent light to removed elements: it counts as lost.
     light_.lost += light_.received.back();
@@ -202,48 +199,31 @@ class LightUpdate {
   }
 
   void keepView(std::uint32_t patch, std::uint32_t view, const RowChange& change) {
-    const FormFactorRow* known = kept_.views.rows.find(viewNumber(patch, view));
+    const FormFactorRow* known = kept_.ofViews.find(viewNumber(patch, view));
     const std::uint64_t number = viewNumber(*numbers_.patch[patch], view);
     if (change.isWhole)
-      rows_.views.rows.keep(number, change.after);
+      rows_.ofViews.keep(number, change.after);
     else if (known != nullptr && change.isNothing())
-      rows_.views.rows.keep(number, renumbered(*known));
+      rows_.ofViews.keep(number, renumbered(*known));
     else if (known != nullptr)
-      rows_.views.rows.keep(number, exchanged(renumbered(*known), renumbered(change.before), change.after));
+      rows_.ofViews.keep(number, exchanged(renumbered(*known), renumbered(change.before), change.after));
   }
 
   /// Retracts the shots of a patch that was moved or removed.
   void takeBack(std::uint32_t patch, const glm::dvec3& shot) {
     if (shot == glm::dvec3(0)) return;
-    receive(light_, rowBefore(patch), -shot);
+    const FormFactorRow* known = kept_.ofPatches.find(patch);
+    receive(light_, renumbered(known != nullptr ? *known : before_.drawn.uncorrected().ofPatch(patchBefore(patch))),
+            -shot);
     ++cost_.rowsRetracted;
   }
 
-  /// In new numbers.
-  FormFactorRow rowBefore(std::uint32_t patch) const {
-    const FormFactorRow* known = kept_.ofPatches.find(patch);
-    return renumbered(known != nullptr ? *known : before_.drawn.row(patchBefore(patch)));
-  }
-
-  /// Redirects the shot light of a patch along its new row.
-  void redirectWhole(std::uint32_t patch, const glm::dvec3& shot) {
-    const std::uint32_t number = *numbers_.patch[patch];
-    FormFactorRow after = rowByViews(after_.drawn, rows_.views, after_.discretization.patches.list[number]);
-    receive(light_, rowBefore(patch), -shot);
-    receive(light_, after, shot);
-    rows_.ofPatches.keep(number, std::move(after));
-    ++cost_.rowsWhole;
-  }
-
-  /// Redirects the shot light of a patch, whose row is the mean of its views, along the change of its row. If the
-  /// change brings small elements near the patch, its new row is another.
+  /// Redirects the shot light of a patch along the change of its row.
   void redirect(std::uint32_t patch, const glm::dvec3& shot) {
     const std::uint32_t number = *numbers_.patch[patch];
     const FormFactorRow* known = kept_.ofPatches.find(patch);
-    const Patch& patchAfter = after_.discretization.patches.list[number];
-    const RowChange change = changeOf(change_, patchBefore(patch), patchAfter, known);
+    const RowChange change = changeOf(change_, patchBefore(patch), after_.discretization.patches.list[number], known);
     if (change.isNothing()) return keep(patch);
-    if (after_.drawn.corrected(patchAfter, change.after)) return redirectWhole(patch, shot);
     const FormFactorRow before = renumbered(change.before);
     receive(light_, before, -shot);
     receive(light_, change.after, shot);
@@ -268,22 +248,15 @@ class LightUpdate {
 
 }  // namespace
 
-FormFactorRow rowByViews(SceneFormFactors& drawn, KeptViews& kept, const Patch& patch) {
-  ProjectedFormFactors& rows = drawn.uncorrected();
+FormFactorRow rowByViews(ProjectedFormFactors& rows, RowCache& ofViews, const Patch& patch) {
   const std::vector<View> views = rows.viewsOfPatch(patch);
+  if (views.size() == 1) return rows.ofView(views.front());
   std::vector<WeightedRow> weighted;
   for (std::uint32_t view = 0; view < views.size(); ++view) {
-    const auto ofView = [&] { return rows.ofView(views[view]); };
-    const bool isMean = views.size() > 1;
-    weighted.push_back({isMean ? kept.rows.row(viewNumber(patch.number, view), ofView) : ofView(), views[view].area});
+    const auto drawn = [&] { return rows.ofView(views[view]); };
+    weighted.push_back({ofViews.row(viewNumber(patch.number, view), drawn), views[view].area});
   }
-  FormFactorRow mean = weighted.size() == 1 ? std::move(weighted.front().row) : meanOf(weighted);
-  std::optional<FormFactorRow> corrected = drawn.corrected(patch, mean);
-  if (corrected)
-    kept.corrected.insert(patch.number);
-  else
-    kept.corrected.erase(patch.number);
-  return std::move(corrected).value_or(std::move(mean));
+  return meanOf(weighted);
 }
 
 DynamicSolution::DynamicSolution(Scene scene, Discretization discretization, Solution solution,
@@ -323,14 +296,15 @@ UpdateCost DynamicSolution::updateTo(EditedScene edit, const Progress& progress)
   ShotLight shot =
       startsOver ? nothingShot(next->discretization.patches, std::move(outside)) : std::move(update.light());
   world_ = std::move(next);
-  solution_ = refine({.scene = scene(),
-                      .discretization = discretization(),
-                      .patches = std::move(world_->discretization.patches),
-                      .rowOf = [this](const Patch& patch) { return rowByViews(world_->drawn, rows_.views, patch); },
-                      .split = world_->drawn.splits(),
-                      .settings = settings_.solver,
-                      .isContinued = true},
-                     {std::move(shot), {std::move(rows_.ofPatches), {RowCache(0)}}}, progress);
+  solution_ = refine(
+      {.scene = scene(),
+       .discretization = discretization(),
+       .patches = std::move(world_->discretization.patches),
+       .rowOf = [this](const Patch& patch) { return rowByViews(world_->drawn.uncorrected(), rows_.ofViews, patch); },
+       .split = world_->drawn.splits(),
+       .settings = settings_.solver,
+       .isContinued = true},
+      {std::move(shot), {std::move(rows_.ofPatches), RowCache(0)}}, progress);
   rows_.ofPatches = std::move(solution_.continuation->rows.ofPatches);
   world_->discretization.patches = std::move(solution_.patches);
   return cost;

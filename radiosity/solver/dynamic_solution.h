@@ -47,9 +47,10 @@ struct UpdateCost {
   bool startedOver = false;  ///< solved again: too much stale light, or too little emission to allow for it
 };
 
-/// As SceneFormFactors::row, but draws only the views whose rows are not kept, and keeps them. The views that a
-/// solution kept save work at its first update.
-FormFactorRow rowByViews(SceneFormFactors& drawn, KeptViews& kept, const Patch& patch);
+/// As ProjectedFormFactors::ofPatch, so without the corrections of SceneFormFactors::row, which the change of a window
+/// does not carry on. Draws only the views whose rows are not in the cache, and keeps them there. With it `solve` gives
+/// the continuation `rows.ofViews`, which save work at the first update.
+FormFactorRow rowByViews(ProjectedFormFactors& rows, RowCache& ofViews, const Patch& patch);
 
 /// A scene and what draws its rows.
 struct DrawnScene {

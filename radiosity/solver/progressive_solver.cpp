@@ -180,7 +180,7 @@ Solution solve(SolveInput input, const Progress& progress) {
   if (input.snapshot) requireBalanced(state, past);
   state.setSeen(input.seen.surfaces);
   const std::size_t bytes = input.settings.rowCacheBytes;
-  KeptRows rows{RowCache(input.isContinued ? bytes / 2 : bytes), {RowCache(bytes / 2)}};
+  KeptRows rows{RowCache(input.isContinued ? bytes / 2 : bytes), RowCache(bytes / 2)};
   Solution solution = shoot(input, state, input.rows != nullptr ? *input.rows : rows.ofPatches, progress, past);
   return finished(input, std::move(solution), std::move(state), std::move(rows));
 }

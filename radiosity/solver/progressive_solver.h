@@ -63,7 +63,7 @@ struct SolveInput {
 /// What `refine` continues from.
 struct Continuation {
   ShotLight light;
-  KeptRows rows;  ///< each cache with half the memory of the settings; `solve` leaves `views` empty
+  KeptRows rows;  ///< each cache with half the memory of the settings; `solve` leaves `ofViews` empty
 };
 
 struct SolutionWarning {

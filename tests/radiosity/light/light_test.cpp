@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 #include <map>
 #include <string>
+#include <vector>
 
 #include "radiosity/discretization/discretize.h"
 #include "radiosity/scene/load_scene.h"
@@ -23,20 +24,27 @@ Scene sceneNamed(const std::string& name) { return loadScene(HEMITEX_DATA "/" + 
 /// One patch per surface, which is not split; rows are corrected.
 constexpr DrawingSettings whole{.resolution = 64, .split = 0.999};
 
-/// The rows that a solution shoots along, by patch. Rows of faint patches, which have fewer pixels, are left out.
-std::map<std::uint32_t, FormFactorRow> shotRows(const Scene& scene, const Discretization& discretization,
-                                                bool isContinued) {
-  std::map<std::uint32_t, FormFactorRow> shot;
+struct ShotRow {
+  Patch patch;
+  FormFactorRow row;
+};
+
+/// The rows that a solution shoots along from whole surfaces. Rows of faint patches, which have fewer pixels, are left
+/// out.
+std::vector<ShotRow> shotRows(const Scene& scene, const Discretization& discretization) {
+  std::vector<ShotRow> shot;
   const LightHooks hooks{.rows = [&](PatchRows drawn, const Scene&, const Discretization&) {
     const RowSource rowOf = drawn.rowOf;
-    drawn.rowOf = [&shot, rowOf](const Patch& patch) {
+    drawn.rowOf = [&shot, &discretization, rowOf](const Patch& patch) {
       FormFactorRow row = rowOf(patch);
-      if (patch.halvings == 0) shot[patch.number] = row;
+      if (patch.halvings == 0 && patch.points == 1 &&
+          patch.elements.size() == discretization.grids[patch.surface].elementCount)
+        shot.push_back({patch, row});
       return row;
     };
     return drawn;
   }};
-  light(scene, discretization, {.drawing = whole, .solver = {.residual = 0.1}, .isContinued = isContinued}, hooks);
+  light(scene, discretization, {.drawing = whole, .solver = {.residual = 0.1}}, hooks);
   return shot;
 }
 
@@ -59,12 +67,10 @@ TEST_CASE("light shoots along SceneFormFactors::row, whose values are those of d
     const reference::RowReceivers receivers = reference::elementsAsReceivers(discretization);
     const reference::RowMethod method =
         reference::drawnMethod(scene, discretization, receivers, layOut(discretization), whole);
-    for (const auto& [patch, shot] : shotRows(scene, discretization, false)) {
-      const Patch& from = discretization.patches.list[patch];
+    for (const auto& [from, shot] : shotRows(scene, discretization)) {
       checkEqual(shot, drawn.row(from));
       ++rows;
       if (drawn.corrected(from, drawn.uncorrected().ofPatch(from))) ++corrected;
-      if (discretization.grids[from.surface].elementCount != from.elements.size()) continue;
       reference::SparseRow found = method.row({{from.surface}});
       const reference::OutsideShares outside = found.takeOutside(receivers.area.size());
       REQUIRE(found.column == shot.elements);
@@ -75,20 +81,4 @@ TEST_CASE("light shoots along SceneFormFactors::row, whose values are those of d
   }
   CHECK(rows > 20);
   CHECK(corrected > 0);
-}
-
-TEST_CASE("light that edits go on from shoots along the rows of other light, and has its bits", "[light]") {
-  for (const auto& [name, texels] : scenes) {
-    INFO(name);
-    const Scene scene = sceneNamed(name);
-    const Discretization discretization = discretize(scene, {.texels = texels, .isUnburied = true, .patch = texels});
-    const auto rows = shotRows(scene, discretization, false), kept = shotRows(scene, discretization, true);
-    REQUIRE(rows.size() == kept.size());
-    for (const auto& [patch, row] : rows) checkEqual(row, kept.at(patch));
-    const LightSettings settings{.drawing = {.resolution = 32}, .solver = {.residual = 0.05}};
-    LightSettings continued = settings;
-    continued.isContinued = true;
-    CHECK(light(scene, discretization, settings).solution.radiosity ==
-          light(scene, discretization, continued).solution.radiosity);
-  }
 }

@@ -71,7 +71,9 @@ std::unique_ptr<DynamicSolution> solved(double limit = residual) {
 
 /// The current scene, solved from its emission on.
 ShotLight freshLight(const DynamicSolution& dynamic, double limit = residual) {
-  SceneFormFactors drawn(dynamic.scene(), dynamic.discretization(), dynamic.layout(), settings().drawing);
+  DrawingSettings unsplit = settings().drawing;
+  unsplit.split = 1;
+  SceneFormFactors drawn(dynamic.scene(), dynamic.discretization(), dynamic.layout(), unsplit);
   return solve({.scene = dynamic.scene(),
                 .discretization = dynamic.discretization(),
                 .patches = dynamic.discretization().patches,
