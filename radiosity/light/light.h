@@ -27,7 +27,7 @@ struct LightSettings {
   /// Above 0. Splits elements where radiosity changes by more than this share (adaptive_subdivision.h).
   std::optional<double> adaptive = {};
   DiscretizationSettings elements = {};  ///< of adaptive elements, and of those that edits add
-  bool isContinued = false;              ///< keeps what edits go on from (see editable)
+  bool isContinued = false;              ///< keeps what edits go on from (see editable); rows are those of rowByViews
 };
 
 /// The rows of a solution, and the patches that they are of.
@@ -68,10 +68,10 @@ struct Light {
   std::optional<RowCounts> rowsAhead = {};         ///< of the last solution, with ranks
 };
 
-/// Solves a scene with elements, which adaptive ones replace; their error is then bounded. If the progress ends a
-/// solution, the result is that of
-/// its last shot. With several ranks all call this; ranks other than 0 compute rows, and their result has no light.
-/// Throws InputError as `solve`, as chooseEffort and as adaptiveDiscretization.
+/// Solves a scene with elements, which adaptive ones replace; with both, the error on adaptive elements is bounded. If
+/// the progress ends a solution, the result is that of its last shot. With several ranks all call this; ranks other
+/// than 0 compute rows, and their result has no light. Throws InputError as `solve`, as chooseEffort and as
+/// adaptiveDiscretization.
 Light light(const Scene& scene, Discretization discretization, const LightSettings& settings = {},
             const LightHooks& hooks = {});
 
