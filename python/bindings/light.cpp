@@ -123,13 +123,16 @@ std::shared_ptr<Solved> solve(const SharedElements& elements, const py::dict& gi
     if (bound && !light.expectedErrors) throw InputError("the progress callback ended the choice of settings");
     method.light = light.settings;
     solved->expectedErrors = light.expectedErrors;
-    Elements divided = *elements;
-    divided.discretization = light.discretization;
-    solved->elements = std::make_shared<const Elements>(std::move(divided));
+    if (!isEditable) {
+      solved->elements = std::make_shared<const Elements>(
+          Elements{elements->scene, elements->facets, elements->settings, std::move(light.discretization)});
+      solved->solution = std::make_shared<const radiosity::Solution>(std::move(light.solution));
+      return;
+    }
+    solved->elements = std::make_shared<const Elements>(
+        Elements{elements->scene, elements->facets, elements->settings, light.discretization});
     solved->solution = resultOf(light.solution);
-    if (isEditable)
-      solved->dynamic =
-          std::make_unique<radiosity::DynamicSolution>(radiosity::editable(scene, std::move(light), hooks));
+    solved->dynamic = std::make_unique<radiosity::DynamicSolution>(radiosity::editable(scene, std::move(light), hooks));
   });
   return solved;
 }

@@ -59,6 +59,7 @@ double unitFluxOf(const ShotLight& light) {
 Solution shoot(const SolveInput& input, ShootingState& state, RowCache& rows, const Progress& progress,
                const Snapshot& past = {}) {
   const SolverSettings& settings = input.settings;
+  state.setSeen(input.seen.surfaces);
   Solution solution;
   solution.shots = past.shots;
   solution.absorbedByBacks = past.absorbedByBacks;
@@ -178,7 +179,6 @@ Solution solve(SolveInput input, const Progress& progress) {
           ? ShootingState(scene, discretization, std::move(input.patches), std::move(input.outside), past.state)
           : ShootingState(scene, discretization, std::move(input.patches), std::move(nothing));
   if (input.snapshot) requireBalanced(state, past);
-  state.setSeen(input.seen.surfaces);
   const std::size_t bytes = input.settings.rowCacheBytes;
   KeptRows rows{RowCache(input.isContinued ? bytes / 2 : bytes), RowCache(bytes / 2)};
   Solution solution = shoot(input, state, input.rows != nullptr ? *input.rows : rows.ofPatches, progress, past);

@@ -215,3 +215,42 @@ TEST_CASE("solve gives an ambient estimate equal to the rest of a furnace's radi
   CHECK(furnace.solution.residual > 0.1);
   CHECK(spreadOf(furnace).mean + r * furnace.solution.ambient.x == Approx(1 / (1 - r)).epsilon(1e-12));
 }
+
+TEST_CASE("solve and refine shoot until the seen surfaces have the residual, too", "[solver]") {
+  // A bright closed room, and a seen one whose lamps emit a millionth of its light.
+  Scene scene = tests::closedCube(glm::dvec3(0.5), glm::dvec3(1));
+  scene.materials.push_back(tests::material("faint", glm::dvec3(0.5), glm::dvec3(1e-6)));
+  for (Surface surface : tests::closedCube(glm::dvec3(0.5), glm::dvec3(1)).surfaces) {
+    for (Triangle& triangle : surface.triangles)
+      for (glm::dvec3& corner : triangle.position) corner.x += 2;
+    surface.name = surface.family = surface.name + "-seen";
+    surface.material = 1;
+    scene.surfaces.push_back(surface);
+  }
+  scene = tests::finish(std::move(scene));
+  const Discretization discretization = discretize(scene, {.texels = 2, .patch = 2});
+  const IdLayout layout = layOut(discretization);
+  raster::SoftwareRenderer renderer(makeDrawList(scene, discretization, layout));
+  ProjectedFormFactors rows(scene, discretization, layout, renderer, {.resolution = 32});
+  constexpr double residual = 0.01;
+  std::vector<bool> seen(scene.surfaces.size());
+  for (std::size_t s = 6; s < seen.size(); ++s) seen[s] = true;
+  const auto inputFor = [&](const std::vector<bool>& surfaces) {
+    return SolveInput{.scene = scene,
+                      .discretization = discretization,
+                      .patches = discretization.patches,
+                      .rowOf = [&](const Patch& from) { return rows.ofPatch(from); },
+                      .settings = {.residual = residual},
+                      .seen = {surfaces, {}},
+                      .isContinued = true};
+  };
+  const auto seenResidual = [&](const Solution& solution) {
+    ShootingState state(scene, discretization, discretization.patches, solution.continuation->light);
+    state.setSeen(seen);
+    return state.seenResidual();
+  };
+  CHECK(seenResidual(solve(inputFor(seen))) <= residual);
+  Solution unseen = solve(inputFor({}));
+  REQUIRE(seenResidual(unseen) > residual);
+  CHECK(seenResidual(refine(inputFor(seen), std::move(*unseen.continuation))) <= residual);
+}
