@@ -43,6 +43,11 @@ std::string hashOf(const radiosity::Scene& scene) {
   for (const radiosity::Sun& sun : scene.outside.suns) light.add(sun.towards, sun.irradiance);
   for (const radiosity::Material& material : scene.materials)
     light.add(material.reflectance, material.emission, material.reflectanceMap, material.emissionMap);
+  if (!scene.wavelengths.empty()) {
+    light.add(scene.wavelengths);
+    for (const radiosity::Material& material : scene.materials)
+      light.add(reflectanceInBands(scene, material), emissionInBands(scene, material));
+  }
   extend(light);
   for (const radiosity::Image& image : scene.images) {
     Bytes bytes;

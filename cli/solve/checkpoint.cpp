@@ -20,7 +20,7 @@ using radiosity::takeBytes;
 using radiosity::takeValue;
 using raster::InputError;
 
-const std::string title = "hemitex checkpoint 3\n", anyTitle = "hemitex checkpoint ";
+const std::string title = "hemitex checkpoint 4\n", anyTitle = "hemitex checkpoint ";
 
 /// Makes sure that the bytes of a file are on the disk.
 void flush(const fs::path& file) {

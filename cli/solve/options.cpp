@@ -174,13 +174,12 @@ void addLongRunOptions(Command command, LongRunOptions& longRun) {
 }
 
 void addBands(Command command, std::filesystem::path& bands) {
-  const Option option = command.under("Light and reflectance")
-                            .addPath("--bands", bands,
-                                     "solve the bands of wavelengths in this JSON or CSV file, with its spectra of "
-                                     "materials and those of the MTL file, and show their colours (default: solve R, G "
-                                     "and B)",
-                                     "FILE");
-  for (const char* other : {"--edits", "--checkpoint", "--resume"}) option.excludes(command.option(other));
+  command.under("Light and reflectance")
+      .addPath(
+          "--bands", bands,
+          "solve the bands of wavelengths in this JSON or CSV file, with its spectra of materials and those of the "
+          "MTL file, and show their colours (default: solve R, G and B)",
+          "FILE");
 }
 
 /// Throws a usage error for a filter between texels with quadtrees, whose elements are not texels.

@@ -114,8 +114,8 @@ std::vector<std::string> writeSolved(const std::filesystem::path& folder, const 
                                     options.metresPerUnit.value_or(1)};
   std::vector<std::string> warnings;
   if (lit) warnings = radiosity::writeLitScene(folder, *lit, view, solved.discretization, solved.solution.radiosity);
-  if (lit && solved.bands != nullptr)  // in place of the textures of the colour alone
-    radiosity::writeBandTextures(folder, solved.discretization, lit->layout, *solved.bands, solved.solution.radiosity);
+  if (lit && !solved.scene.wavelengths.empty())  // in place of the textures of the colour alone
+    radiosity::writeBandTextures(folder, solved.discretization, lit->layout, solved.solution, solved.scene.wavelengths);
   if (lit && options.lightmap)
     for (std::string& warning : writeLightMaps(folder, solved, lit->layout, view))
       warnings.push_back(std::move(warning));
@@ -125,8 +125,7 @@ std::vector<std::string> writeSolved(const std::filesystem::path& folder, const 
     radiosity::writeVtu(folder / "scene.vtu", radiosity::readFaces(options.scene.file), facetArrays(solved));
   if (!options.noElements)
     raster::writeFile(folder / "elements.csv", [&solved](std::ostream& stream) {
-      radiosity::writeCsv(stream,
-                          radiosity::elementTable(solved.scene, solved.discretization, solved.solution, solved.bands));
+      radiosity::writeCsv(stream, radiosity::elementTable(solved.scene, solved.discretization, solved.solution));
     });
   return warnings;
 }

@@ -4,10 +4,8 @@
 #include <optional>
 
 #include "cli/report/solved_page.h"
-#include "cli/solve/band_scenes.h"
 #include "cli/solve/monitor.h"
 #include "cli/solve/options.h"
-#include "radiosity/bands/colour_solution.h"
 #include "radiosity/discretization/discretization.h"
 #include "radiosity/light/light.h"
 #include "radiosity/pictures/camera.h"
@@ -21,7 +19,6 @@ struct SolveResult {
   Convergence convergence = {};
   /// With facets and --max-error: the estimated error of the row of each surface; 0 if it did not shoot.
   std::vector<double> rowErrors = {};
-  std::optional<radiosity::BandSolution> bands = {};  ///< of which `light` is the colour, with --bands
 };
 
 /// Lays out item IDs as `layoutOf`.
@@ -29,9 +26,9 @@ radiosity::LayoutFactory layoutsOf(const radiosity::IdSettings& ids);
 
 /// Solves the scene as the options ask. With --max-error the seen surfaces are those that `camera` shows.
 /// `discretization` is that of the options; with --adaptive it is not used. The solution of --edits has its
-/// continuation. `bands` are null without --bands; `scene` is then that in colour. After a signal the result is that of
+/// continuation. After a signal the result is that of
 /// the last shot. Throws InputError if --max-error cannot be reached.
-SolveResult solveScene(const SolveOptions& asked, const radiosity::Scene& scene, const BandScenes* bands,
-                       const radiosity::Camera& camera, radiosity::Discretization discretization, Monitor& monitor);
+SolveResult solveScene(const SolveOptions& asked, const radiosity::Scene& scene, const radiosity::Camera& camera,
+                       radiosity::Discretization discretization, Monitor& monitor);
 
 }  // namespace hemitex::cli

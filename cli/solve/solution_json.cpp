@@ -7,7 +7,6 @@
 #include "cli/common/json.h"
 #include "cli/common/numbers.h"
 #include "cli/solve/options.h"
-#include "radiosity/bands/colour_solution.h"
 #include "radiosity/index_maps/phantom_indices.h"
 #include "radiosity/textures/lit_scene.h"
 #include "reference/base/hashes/sha256.h"
@@ -98,33 +97,24 @@ ordered_json surfacesJson(const SolvedScene& solved, const std::optional<radiosi
   return surfaces;
 }
 
-/// Fluxes in W. `squareMetres` is the area of a square unit.
-ordered_json energyJson(const radiosity::Energy& energy, bool isLitFromOutside, double squareMetres) {
-  const auto watts = [squareMetres](const glm::dvec3& flux) { return toJson(flux * squareMetres); };
+/// Values per band: of R, G and B, or by ascending wavelengths.
+radiosity::Bands listed(const radiosity::Scene& scene, radiosity::Bands values) {
+  if (!scene.wavelengths.empty()) std::ranges::reverse(values);
+  return values;
+}
+
+/// Fluxes in W: a list per flux, with one value per band. `squareMetres` is the area of a square unit.
+ordered_json energyJson(const SolvedScene& solved, bool isLitFromOutside, double squareMetres) {
+  const radiosity::Energy& energy = solved.solution.energy;
+  const auto watts = [&](const radiosity::Bands& flux) {
+    return listed(solved.scene, radiosity::scaled(flux, squareMetres));
+  };
   ordered_json text = {{"emitted", watts(energy.emitted)},
                        {"absorbed", watts(energy.absorbed)},
                        {"unshot", watts(energy.unshot)},
                        {"lost", watts(energy.lost)},
                        {"lost_to_backs", watts(energy.lostToBacks)}};
   if (isLitFromOutside) text["sky_on_backs"] = watts(energy.skyOnBacks);
-  return text;
-}
-
-/// As energyJson: a list per flux, with one value per band.
-ordered_json energyJson(const radiosity::BandSolution& bands, bool isLitFromOutside, double squareMetres) {
-  using radiosity::Energy;
-  const auto watts = [&](glm::dvec3 Energy::*flux) {
-    ordered_json list = ordered_json::array();
-    for (std::size_t band = 0; band < bands.wavelengths.size(); ++band)
-      list.push_back(squareMetres * radiosity::fluxIn(bands, band, flux));
-    return list;
-  };
-  ordered_json text = {{"emitted", watts(&Energy::emitted)},
-                       {"absorbed", watts(&Energy::absorbed)},
-                       {"unshot", watts(&Energy::unshot)},
-                       {"lost", watts(&Energy::lost)},
-                       {"lost_to_backs", watts(&Energy::lostToBacks)}};
-  if (isLitFromOutside) text["sky_on_backs"] = watts(&Energy::skyOnBacks);
   return text;
 }
 
@@ -242,9 +232,8 @@ ordered_json description(const SolvedScene& solved, const std::optional<radiosit
       {"index_bits", solved.layout.indexBits},
       {"shots", solved.solution.shots},
       {"residual", solved.solution.residual},
-      {"energy", solved.bands != nullptr ? energyJson(*solved.bands, isLitFromOutside, squareMetres)
-                                         : energyJson(solved.solution.energy, isLitFromOutside, squareMetres)}};
-  if (solved.bands != nullptr) text["bands"] = solved.bands->wavelengths;
+      {"energy", energyJson(solved, isLitFromOutside, squareMetres)}};
+  if (!solved.scene.wavelengths.empty()) text["bands"] = listed(solved.scene, solved.scene.wavelengths);
   return text;
 }
 

@@ -12,7 +12,6 @@
 #include "radiosity/pictures/camera.h"
 
 namespace hemitex::radiosity {
-struct BandSolution;
 struct Discretization;
 struct IdLayout;
 struct LitScene;
@@ -32,8 +31,7 @@ struct SolvedScene {
   const radiosity::Discretization& discretization;
   const radiosity::IdLayout& layout;
   const radiosity::Solution& solution;
-  std::span<const double> rowErrors = {};          ///< see SolveResult
-  const radiosity::BandSolution* bands = nullptr;  ///< of which `solution` is the colour; null without --bands
+  std::span<const double> rowErrors = {};  ///< see SolveResult
 };
 
 /// The area of a surface's elements, and means over this area.

@@ -12,7 +12,7 @@
 #include "cli/common/program.h"
 #include "cli/common/staging.h"
 #include "cli/scene/sealed_folder.h"
-#include "cli/solve/band_scenes.h"
+#include "cli/solve/bands_file.h"
 #include "cli/solve/edits_file.h"
 #include "cli/solve/options.h"
 #include "cli/solve/output.h"
@@ -111,22 +111,22 @@ std::set<std::filesystem::path> inputFiles(const SolveOptions& options, const Co
   return files;
 }
 
-/// The scene in bands; nothing without --bands.
-std::optional<BandScenes> bandsOf(const SolveOptions& options) {
-  if (options.bands.empty()) return std::nullopt;
-  return bandScenes(options.scene, options.bands);
+/// The scene of the options, and its warnings told.
+radiosity::Scene sceneOf(const SolveOptions& options, Console& console) {
+  if (options.bands.empty()) return sceneOf(options.scene, console);
+  const radiosity::Scene scene = sceneInBands(options.scene, options.bands);
+  console.warnings(scene.warnings);
+  return scene;
 }
 
 /// The part of the ranks other than 0: computes rows and writes nothing.
 void computeForRankZero(SolveOptions options, Console& console) {
   options.longRun = {};
-  const std::optional<BandScenes> bands = bandsOf(options);
-  const radiosity::Scene scene = bands ? bands->inColour : sceneOf(options.scene, console);
-  if (!bands) requireLight(scene, options.scene.file);
+  const radiosity::Scene scene = sceneOf(options, console);
+  requireLight(scene, options.scene.file);
   Monitor monitor(console, options.longRun, scene, {});
   const radiosity::Camera camera = cameraOf(options.camera, scene, options.scene.file);
-  solveScene(options, scene, bands ? &*bands : nullptr, camera, discretizationOf(options.discretization, scene),
-             monitor);
+  solveScene(options, scene, camera, discretizationOf(options.discretization, scene), monitor);
 }
 
 /// Updates the solution of the result, which `first` shows, for each frame and writes their folders. Adds the entries
@@ -146,14 +146,9 @@ ordered_json writeResult(const radiosity::Scene& scene, const radiosity::Camera&
                          Laps& laps) {
   Console& console = monitor.console();
   SolveOptions& options = result.options;
-  const SolvedScene solved{options,
-                           camera,
-                           scene,
-                           result.light.discretization,
-                           result.light.layout,
-                           result.light.solution,
-                           result.rowErrors,
-                           result.bands ? &*result.bands : nullptr};
+  const SolvedScene solved{
+      options,         camera, scene, result.light.discretization, result.light.layout, result.light.solution,
+      result.rowErrors};
   console.warnings(unitWarning(solved));
   options.camera.exposure = exposureOf(solved);  // also that of all frames
   std::optional<radiosity::LitScene> lit = litScene(solved);
@@ -205,11 +200,9 @@ void solve(SolveOptions asked, Context& context) {
   Console& console = context.console;
   if (asked.isContinued) asked.discretization.isUnburied = true;
   Laps laps;
-  const std::optional<BandScenes> bands = bandsOf(asked);
-  const radiosity::Scene scene = bands ? bands->inColour : sceneOf(asked.scene, console);
-  if (bands) console.warnings(scene.warnings);
+  const radiosity::Scene scene = sceneOf(asked, console);
   asked.solver.residual = asked.residual.value_or(radiosity::defaultResidual(scene));
-  if (!bands) requireLight(scene, asked.scene.file, ", or --sky 1,1,1 for light from outside");
+  requireLight(scene, asked.scene.file, ", or --sky 1,1,1 for light from outside");
   const radiosity::Camera camera = cameraOf(asked.camera, scene, asked.scene.file);
   const std::vector<Frame> frames =
       asked.edits.empty() ? std::vector<Frame>() : readEdits(asked.edits, scene, asked.scene.settings);
@@ -221,7 +214,7 @@ void solve(SolveOptions asked, Context& context) {
   staging.requirePlaces(outputNames(asked, scene, unsplit, frames.size()));
   Monitor monitor(console, asked.longRun, scene, toText(solutionSettings(asked)), inputs);
   laps.lap("discretize_s");
-  SolveResult result = solveScene(asked, scene, bands ? &*bands : nullptr, camera, std::move(unsplit), monitor);
+  SolveResult result = solveScene(asked, scene, camera, std::move(unsplit), monitor);
   warnOf(result, console);
   laps.lap("solve_s");
   const int shots = result.light.solution.shots;
@@ -245,8 +238,8 @@ void addSolve(Command program, Context& context) {
       {"data/cornell-box.obj -o lit --report", "house.obj -o lit --sky 1,1,1.2 --sun 1,3,2=4,4,3.5 --max-error 0.02"});
   command.onRead([options, command, &context] {
     completeOptions(command, *options);
-    context.isShared = options->edits.empty() && !usesRays(*options) &&
-                       !boundsRows(*options) && options->matrix.empty();
+    context.isShared =
+        options->edits.empty() && !usesRays(*options) && !boundsRows(*options) && options->matrix.empty();
     context.command = [options, &context] { solve(*options, context); };
   });
 }

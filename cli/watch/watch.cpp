@@ -179,7 +179,7 @@ class WatchedSolution {
     radiosity::Discretization unsplit = discretizationOf(options.discretization, scene);
     Staging(output()).requirePlaces(outputNames(options, scene, unsplit, 0));
     Monitor monitor(console_, {}, scene, {});
-    SolveResult result = solveScene(options, scene, nullptr, camera_, std::move(unsplit), monitor);
+    SolveResult result = solveScene(options, scene, camera_, std::move(unsplit), monitor);
     options_ = result.options;
     convergence_ = std::move(result.convergence);
     dynamic_ = radiosity::editable(std::move(scene), std::move(result.light), {.layOut = layoutsOf(options_.id)});

@@ -75,6 +75,7 @@ radiosity::Progress progressOf(Progress& told, const radiosity::SolverSettings& 
 /// A copy without what edits go on from.
 SharedSolution resultOf(const radiosity::Solution& solution) {
   return std::make_shared<const radiosity::Solution>(radiosity::Solution{.radiosity = solution.radiosity,
+                                                                         .radiosityInBands = solution.radiosityInBands,
                                                                          .irradiance = solution.irradiance,
                                                                          .ambient = solution.ambient,
                                                                          .energy = solution.energy,
@@ -176,9 +177,11 @@ py::dict aboutSolution(const Solved& solved) {
                  "interrupted"_a = solved.solution->isInterrupted, "warnings"_a = textsOf(solved.solution->warnings),
                  "ambient"_a = toTuple(solved.solution->ambient),
                  "patches"_a = solved.elements->discretization.patches.list.size(),
-                 "energy"_a = py::dict("emitted"_a = toTuple(energy.emitted), "absorbed"_a = toTuple(energy.absorbed),
-                                       "unshot"_a = toTuple(energy.unshot), "lost"_a = toTuple(energy.lost),
-                                       "lost_to_backs"_a = toTuple(energy.lostToBacks)));
+                 "energy"_a = py::dict("emitted"_a = py::tuple(py::cast(energy.emitted)),
+                                       "absorbed"_a = py::tuple(py::cast(energy.absorbed)),
+                                       "unshot"_a = py::tuple(py::cast(energy.unshot)),
+                                       "lost"_a = py::tuple(py::cast(energy.lost)),
+                                       "lost_to_backs"_a = py::tuple(py::cast(energy.lostToBacks))));
   about["expected_error"] =
       solved.expectedErrors ? py::object(py::float_(solved.expectedErrors->larger())) : py::object(py::none());
   return about;
@@ -195,7 +198,7 @@ py::dict sensitivityOf(const Solved& solved, const py::object& weights, py::obje
     };
     radiosity::Sensitivity sensitivity;
     radiosity::LightHooks hooks = hooksOf(solved.method);
-    hooks.solve = [&](const radiosity::SolveInput& input, radiosity::Discretization&, const radiosity::Progress&) {
+    hooks.solve = [&](const radiosity::SolveInput& input, const radiosity::Progress&) {
       sensitivity = radiosity::sensitivity(input, ofElements, tell);
       return radiosity::Solution();
     };

@@ -9,14 +9,13 @@
 
 namespace hemitex::radiosity {
 
-Table elementTable(const Scene& scene, const Discretization& discretization, const Solution& solution,
-                   const BandSolution* bands) {
-  const std::vector<double> wavelengths = bands ? bands->wavelengths : std::vector<double>();
+Table elementTable(const Scene& scene, const Discretization& discretization, const Solution& solution) {
   std::vector<std::string> columns{"surface", "column", "row",  "x",   "y",   "z",  "nx",
                                    "ny",      "nz",     "area", "b_r", "b_g", "b_b"};
-  for (const double wavelength : wavelengths) columns.push_back(bandName(wavelength));
-  const auto row = [&scene, &discretization, &solution, bands, placeOf = elementPlaces(scene, discretization),
-                    count = wavelengths.size()](std::size_t index) {
+  const std::vector<double>& wavelengths = scene.wavelengths;
+  for (std::size_t band = wavelengths.size(); band-- > 0;) columns.push_back(bandName(wavelengths[band]));
+  const auto row = [&scene, &discretization, &solution,
+                    placeOf = elementPlaces(scene, discretization)](std::size_t index) {
     const Element& element = discretization.elements[index];
     const auto texels = static_cast<std::uint32_t>(discretization.grids[element.surface].columns);
     const SurfacePoint place = placeOf(static_cast<std::uint32_t>(index));
@@ -26,7 +25,8 @@ Table elementTable(const Scene& scene, const Discretization& discretization, con
       cells.insert(cells.end(), {vector.x, vector.y, vector.z});
     const glm::dvec3& b = solution.radiosity[index];
     cells.insert(cells.end(), {element.area, b.r, b.g, b.b});
-    for (std::size_t band = 0; band < count; ++band) cells.emplace_back(radiosityIn(*bands, band, index));
+    for (std::size_t band = scene.wavelengths.size(); band-- > 0;)
+      cells.emplace_back(solution.radiosityInBands[index][band]);
     return cells;
   };
   return {std::move(columns), discretization.elements.size(), row};

@@ -1,24 +1,29 @@
 /// Sums of flux per band.
 #pragma once
 
-#include <glm/glm.hpp>
+#include <cstddef>
+#include <span>
+
+#include "radiosity/base/bands.h"
 
 namespace hemitex::radiosity {
 
-/// A compensated sum (Kahan 1965), accurate to the last digit for any number of terms; `rest_` holds the rounding error
+/// A compensated sum (Kahan 1965), accurate to the last digit for any number of terms; `rest` holds the rounding error
 /// so far.
-class KahanSum {
- public:
-  void add(const glm::dvec3& flux) {
-    const glm::dvec3 term = flux - rest_;
-    const glm::dvec3 sum = sum_ + term;
-    rest_ = (sum - sum_) - term;
-    sum_ = sum;
-  }
-  const glm::dvec3& value() const { return sum_; }
+struct KahanSum {
+  Bands sum, rest;
 
- private:
-  glm::dvec3 sum_{0.0}, rest_{0.0};
+  KahanSum() = default;
+  explicit KahanSum(std::size_t bands) : sum(bands), rest(bands) {}
+
+  /// Adds the flux times a factor.
+  void add(std::span<const double> flux, double factor = 1) {
+    for (std::size_t band = 0; band < flux.size(); ++band) {
+      const double term = flux[band] * factor - rest[band], next = sum[band] + term;
+      rest[band] = (next - sum[band]) - term;
+      sum[band] = next;
+    }
+  }
 };
 
 }  // namespace hemitex::radiosity

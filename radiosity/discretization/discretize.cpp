@@ -24,9 +24,6 @@ namespace {
 
 using raster::InputError;
 
-/// A mapped reflectance of 1 or more is lowered to this value, so that light is absorbed eventually.
-constexpr double maxReflectance = 0.9999;
-
 bool isNamed(const Surface& surface, const std::string& name) { return surface.name == name || surface.family == name; }
 
 std::string someNames(const Scene& scene) {
@@ -331,7 +328,7 @@ void averageMaps(const Scene& scene, Discretization& discretization) {
     return values;
   };
   discretization.mappedReflectance = valuesOf(&Material::reflectance, &Material::reflectanceMap);
-  for (glm::dvec3& value : discretization.mappedReflectance) value = glm::min(value, glm::dvec3(maxReflectance));
+  for (glm::dvec3& value : discretization.mappedReflectance) value = glm::min(value, glm::dvec3(maxMappedReflectance));
   discretization.mappedEmission = valuesOf(&Material::emission, &Material::emissionMap);
 }
 

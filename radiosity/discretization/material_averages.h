@@ -11,6 +11,9 @@
 
 namespace hemitex::radiosity {
 
+/// A mapped reflectance of 1 or more is lowered to this value, so that light is absorbed eventually.
+inline constexpr double maxMappedReflectance = 0.9999;
+
 /// The mean of `image` over each element of the grid, weighted by area; texture coordinates repeat. If the surface
 /// shows more than 2^24 pixels, as with tiled images, the image is halved until it does not. Halving keeps the integral
 /// over whole tiles. Light within one reduced pixel of an element's border may count for the neighbour.

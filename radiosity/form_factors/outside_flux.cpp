@@ -136,38 +136,39 @@ class PixelCounts {
 /// Directions of the same light, and the irradiance of each on a plane at right angles to it.
 struct Beams {
   std::vector<glm::dvec3> directions;
-  glm::dvec3 irradiance{0.0};
+  Bands irradiance;
 };
 
 /// A plane faces half of the directions, with a mean cosine of a half.
-Beams skyBeams(const glm::dvec3& irradiance, int count) {
-  return {sphereDirections(count), irradiance * (4.0 / count)};
+Beams skyBeams(const Scene& scene, int count) {
+  return {sphereDirections(count), lightInBands(scene, scene.outside.sky * (4.0 / count))};
 }
 
-Beams sunBeams(const Sun& sun, int count) {
-  return {std::vector<glm::dvec3>(static_cast<std::size_t>(count), sun.towards), sun.irradiance / double(count)};
+Beams sunBeams(const Scene& scene, const Sun& sun, int count) {
+  return {std::vector<glm::dvec3>(static_cast<std::size_t>(count), sun.towards),
+          lightInBands(scene, sun.irradiance / double(count))};
 }
 
 /// Lights the centres of elements.
 class CentreLight {
  public:
   CentreLight(const Scene& scene, const Discretization& discretization, const RayTree& rays, int directions)
-      : scene_(scene), discretization_(discretization), rays_(rays), lights_{skyBeams(scene.outside.sky, directions)} {
-    for (const Sun& sun : scene.outside.suns) lights_.push_back(sunBeams(sun, 1));
+      : scene_(scene), discretization_(discretization), rays_(rays), lights_{skyBeams(scene, directions)} {
+    for (const Sun& sun : scene.outside.suns) lights_.push_back(sunBeams(scene, sun, 1));
   }
 
-  glm::dvec3 irradiance(std::uint32_t element) const {
+  Bands irradiance(std::uint32_t element) const {
     const std::uint32_t surface = discretization_.elements[element].surface;
     const SurfacePoint point = elementCentre(scene_, discretization_, element);
     const glm::dvec3 start = eyeOver(scene_, surface, point);
-    glm::dvec3 sum(0);
+    Bands sum(bandCount(scene_));
     for (const Beams& light : lights_) {
       double cosines = 0;
       for (const glm::dvec3& direction : light.directions) {
         const double cosine = glm::dot(point.normal, direction);
         if (cosine > 0 && !rays_.firstHit(start, direction)) cosines += cosine;
       }
-      sum += light.irradiance * cosines;
+      addTo(sum, light.irradiance, cosines);
     }
     return sum;
   }
@@ -183,16 +184,17 @@ class CentreLight {
 void lightCentres(const CentreLight& light, const Discretization& discretization, double pixelArea, OutsideFlux& flux) {
   raster::parallelFor(discretization.elements.size(), [&](std::size_t e) {
     const double area = discretization.elements[e].area;
-    if (area < minPixels * pixelArea) flux.received[e] = light.irradiance(static_cast<std::uint32_t>(e)) * area;
+    if (area < minPixels * pixelArea)
+      std::ranges::copy(scaled(light.irradiance(static_cast<std::uint32_t>(e)), area), flux.received[e].begin());
   });
 }
 
 }  // namespace
 
-glm::dvec3 sumOf(const OutsideFlux& flux) {
-  KahanSum sum;
-  for (const glm::dvec3& received : flux.received) sum.add(received);
-  return sum.value();
+Bands sumOf(const OutsideFlux& flux) {
+  KahanSum sum(flux.received.bands);
+  for (std::size_t e = 0; e < flux.received.size(); ++e) sum.add(flux.received[e]);
+  return sum.sum;
 }
 
 OutsideViews affordableViews(int directions, std::size_t triangles) {
@@ -207,24 +209,24 @@ OutsideViews affordableViews(int directions, std::size_t triangles) {
 
 OutsideFlux outsideFlux(const Scene& scene, const Discretization& discretization, const IdLayout& layout,
                         raster::ItemBufferRenderer& renderer, const OutsideViews& drawn) {
-  OutsideFlux flux;
-  if (!(brightest(scene.outside) > 0)) return flux;
-  flux.received.resize(discretization.elements.size());
+  if (!(brightest(scene.outside) > 0)) return {};
+  OutsideFlux flux{BandTable(discretization.elements.size(), bandCount(scene)), Bands(bandCount(scene))};
   const ParallelViews views = viewsFor(scene, discretization, drawn.pixelsPerElement);
   const double pixelArea = views.pixelSide() * views.pixelSide();
   const RayTree rays(scene);
   PixelCounts pixels(scene, discretization, layout, renderer, views,
                      isTwoSided(scene) ? std::vector<std::uint32_t>() : coveredTriangles(scene, rays));
   const auto add = [&](const Beams& light) {
-    if (light.irradiance == glm::dvec3(0)) return;
+    if (areZero(light.irradiance)) return;
     const FormFactorRow counts = pixels.of(light.directions);
-    const glm::dvec3 perPixel = light.irradiance * pixelArea;
+    const Bands perPixel = scaled(light.irradiance, pixelArea);
     for (std::size_t i = 0; i < counts.elements.size(); ++i)
-      flux.received[counts.elements[i]] += perPixel * static_cast<double>(counts.shares[i]);
-    flux.onBacks += perPixel * static_cast<double>(counts.back);
+      addTo(flux.received[counts.elements[i]], perPixel, static_cast<double>(counts.shares[i]));
+    addTo(flux.onBacks, perPixel, static_cast<double>(counts.back));
   };
-  add(skyBeams(scene.outside.sky, drawn.directions));
-  for (const Sun& sun : scene.outside.suns) add(sunBeams(sun, std::max(drawn.directions / directionsPerSunView, 1)));
+  add(skyBeams(scene, drawn.directions));
+  for (const Sun& sun : scene.outside.suns)
+    add(sunBeams(scene, sun, std::max(drawn.directions / directionsPerSunView, 1)));
   lightCentres(CentreLight(scene, discretization, rays, std::max(drawn.directions / directionsPerRay, 1)),
                discretization, pixelArea, flux);
   return flux;

@@ -12,9 +12,8 @@
 #pragma once
 
 #include <cstddef>
-#include <glm/glm.hpp>
-#include <vector>
 
+#include "radiosity/base/bands.h"
 #include "radiosity/discretization/discretization.h"
 #include "radiosity/index_maps/id_layout.h"
 #include "radiosity/scene/scene.h"
@@ -23,12 +22,12 @@
 namespace hemitex::radiosity {
 
 struct OutsideFlux {
-  std::vector<glm::dvec3> received;  ///< one per element, W per band; empty if no light comes from outside
-  glm::dvec3 onBacks{0.0};           ///< absorbed by backs, also by the outer sides of walls; W per band
+  BandTable received = {};  ///< one per element, W; empty if no light comes from outside
+  Bands onBacks = {};       ///< absorbed by backs, also by the outer sides of walls; W; empty as above
 };
 
-/// The sum of the received flux, in W per band.
-glm::dvec3 sumOf(const OutsideFlux& flux);
+/// The sum of the received flux, in W per band; empty if no light comes from outside.
+Bands sumOf(const OutsideFlux& flux);
 
 inline constexpr int minDirections = 128;
 

@@ -91,8 +91,8 @@ class Solutions {
                      .seen = {settings.seen, drawn.scoutRows()},
                      .snapshot = start.snapshot ? &*start.snapshot : nullptr,
                      .isContinued = settings.isContinued};
-    result_.solution = hooks_.solve ? hooks_.solve(std::move(input), result_.discretization, progress)
-                                    : radiosity::solve(std::move(input), progress);
+    result_.solution =
+        hooks_.solve ? hooks_.solve(std::move(input), progress) : radiosity::solve(std::move(input), progress);
     if (ahead) {
       endTasks(*hooks_.ranks);
       result_.rowsAhead = ahead->counts();

@@ -52,9 +52,8 @@ struct LightHooks {
   std::function<SolutionStart(const SolverSettings& settings)> start = {};
   /// Gives other rows than those that are drawn, or goes around these. The arguments outlive the solution.
   std::function<PatchRows(PatchRows drawn, const Scene& scene, const Discretization& discretization)> rows = {};
-  /// Finds a solution in another way than `solve`. May change the values of the discretization, to which the input
-  /// refers.
-  std::function<Solution(SolveInput input, Discretization& discretization, const Progress& progress)> solve = {};
+  /// Finds a solution in another way than `solve`.
+  std::function<Solution(SolveInput input, const Progress& progress)> solve = {};
   Messenger* ranks = nullptr;  ///< the ranks that share rows; null if this process is alone
 };
 

@@ -233,8 +233,11 @@ double brightestEmission(const Scene& scene, const Material& material) {
     const Image& map = scene.images[static_cast<std::size_t>(*material.emissionMap)];
     for (const glm::dvec3& pixel : map.pixels) largest = glm::max(largest, pixel);
   }
-  const glm::dvec3 emission = material.emission * largest;
-  return std::max({emission.r, emission.g, emission.b});
+  const Bands emission = emissionInBands(scene, material);
+  double brightest = 0;
+  for (std::size_t band = 0; band < emission.size(); ++band)
+    brightest = std::max(brightest, emission[band] * largest[channelOf(scene, band)]);
+  return brightest;
 }
 
 /// The largest emission of a surface in any band. Edits leave materials behind that no surface uses.

@@ -4,8 +4,16 @@
 #include <cmath>
 #include <utility>
 
+#include "radiosity/spectra/colour.h"
+
 namespace hemitex::radiosity {
 namespace {
+
+Bands valuesAt(const std::vector<double>& wavelengths, const Spectrum& spectrum) {
+  Bands values;
+  for (const double wavelength : wavelengths) values.push_back(valueAt(spectrum, wavelength));
+  return values;
+}
 
 glm::dvec3 doubledArea(const Triangle& t) {
   return glm::cross(t.position[1] - t.position[0], t.position[2] - t.position[0]);
@@ -19,6 +27,38 @@ double roundingOf(double coordinate) {
 }
 
 }  // namespace
+
+std::size_t bandCount(const Scene& scene) { return scene.wavelengths.empty() ? 3 : scene.wavelengths.size(); }
+
+int channelOf(const Scene& scene, std::size_t band) {
+  if (scene.wavelengths.empty()) return static_cast<int>(band);
+  const double wavelength = scene.wavelengths[band];
+  return wavelength >= 590 ? 0 : wavelength >= 490 ? 1 : 2;
+}
+
+Bands lightInBands(const Scene& scene, const glm::dvec3& colour) {
+  if (scene.wavelengths.empty()) return {colour.r, colour.g, colour.b};
+  const glm::dvec3 equalEnergy = linearSrgb({{555}, {1}});
+  Bands light;
+  for (std::size_t band = 0; band < bandCount(scene); ++band)
+    light.push_back(colour[channelOf(scene, band)] / equalEnergy[channelOf(scene, band)]);
+  return light;
+}
+
+Bands reflectanceInBands(const Scene& scene, const Material& material) {
+  if (!scene.wavelengths.empty() && material.reflectanceSpectrum)
+    return valuesAt(scene.wavelengths, *material.reflectanceSpectrum);
+  Bands reflectance;
+  for (std::size_t band = 0; band < bandCount(scene); ++band)
+    reflectance.push_back(material.reflectance[channelOf(scene, band)]);
+  return reflectance;
+}
+
+Bands emissionInBands(const Scene& scene, const Material& material) {
+  if (!scene.wavelengths.empty() && material.emissionSpectrum)
+    return valuesAt(scene.wavelengths, *material.emissionSpectrum);
+  return lightInBands(scene, material.emission);
+}
 
 double area(const Triangle& triangle) { return 0.5 * glm::length(doubledArea(triangle)); }
 

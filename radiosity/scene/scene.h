@@ -14,9 +14,11 @@
 #include <string>
 #include <vector>
 
+#include "radiosity/base/bands.h"
 #include "radiosity/images/image.h"
 #include "radiosity/meshes/scene_object.h"
 #include "radiosity/scene/outside_light.h"
+#include "radiosity/spectra/spectrum.h"
 
 namespace hemitex::radiosity {
 
@@ -26,6 +28,9 @@ struct Material {
   glm::dvec3 emission{0.0};                ///< Ke as emitted radiosity, W/m^2 per RGB band, >= 0
   std::optional<int> reflectanceMap = {};  ///< map_Kd in Scene::images, linear; scales the reflectance
   std::optional<int> emissionMap = {};     ///< map_Ke in Scene::images, linear; scales the emission
+  /// In scenes with wavelengths, instead of the colours above, which only pictures show then: in [0, 1), and emitted
+  /// radiosity at each wavelength, from 0 to 1e30.
+  std::optional<Spectrum> reflectanceSpectrum = {}, emissionSpectrum = {};
 };
 
 struct Triangle {
@@ -76,7 +81,24 @@ struct Scene {
   /// Those of the file, some without surfaces; then the backs of two-sided ones, named `/back`, with the same parents.
   std::vector<SceneObject> objects = {};
   std::vector<std::filesystem::path> files = {};  ///< all that were read: the scene, its materials, images and buffers
+  /// The bands in which light is computed, in nm: descending, as R, G and B are, which are the bands without
+  /// wavelengths.
+  std::vector<double> wavelengths = {};
 };
+
+/// The number of bands of a scene.
+std::size_t bandCount(const Scene& scene);
+/// The channel of a colour, 0 to 2, that stands for a band: R for wavelengths from 590 nm, G for those from 490 nm, and
+/// B for shorter ones.
+int channelOf(const Scene& scene, std::size_t band);
+/// Light of a colour in the bands of a scene. At wavelengths it is divided by the colour of equal energy, so that it
+/// keeps its colour. Of a saturated colour, the channels of the spectrum (see colour.h) differ from those of the colour
+/// by at most 0.08 of its largest one.
+Bands lightInBands(const Scene& scene, const glm::dvec3& colour);
+/// The reflectance and the emitted radiosity of a material in the bands of a scene, without maps. A reflectance that is
+/// only a colour has the channel of each band, so that a grey has its value at all wavelengths.
+Bands reflectanceInBands(const Scene& scene, const Material& material);
+Bands emissionInBands(const Scene& scene, const Material& material);
 
 /// Whether the material of a surface has a reflectance or an emission map; whether that of any surface has one.
 bool hasMaps(const Scene& scene, const Surface& surface);

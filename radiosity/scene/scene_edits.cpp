@@ -157,14 +157,20 @@ class Editor {
     requireAll(
         edit.to, [](double value) { return value >= 0 && value <= largestEmission; },
         "the emission of `" + raster::excerpt(edit.name) + "` is below 0 or above 1e30 W/m^2");
-    setMaterial(edit.name, [&](Material& material) { material.emission = edit.to; });
+    setMaterial(edit.name, [&](Material& material) {
+      material.emission = edit.to;
+      material.emissionSpectrum.reset();
+    });
   }
 
   void apply(const SetReflectance& edit) {
     requireAll(
         edit.to, [](double value) { return value >= 0 && value < 1; },
         "the reflectance of `" + raster::excerpt(edit.name) + "` is not at least 0 and below 1");
-    setMaterial(edit.name, [&](Material& material) { material.reflectance = edit.to; });
+    setMaterial(edit.name, [&](Material& material) {
+      material.reflectance = edit.to;
+      material.reflectanceSpectrum.reset();
+    });
   }
 
   EditedScene result() && {

@@ -36,7 +36,8 @@ struct Add {
   SceneSettings settings = {};
   glm::dvec3 by{0.0};  ///< in units of the file
 };
-/// Sets the emission or the reflectance of surfaces; a map of the material scales it as before. The name may also be
+/// Sets the emission or the reflectance of surfaces; a map of the material scales it as before. The colour replaces a
+/// spectrum. The name may also be
 /// that of a group with several materials, or of a material (with `*`: of several), if no surface has it. In two-sided
 /// scenes the back of a surface has a name of its own.
 struct SetEmission {

@@ -1,6 +1,7 @@
 #include "radiosity/solver/dynamic_solution.h"
 
 #include <algorithm>
+#include <span>
 #include <utility>
 
 #include "radiosity/discretization/edited_discretization.h"
@@ -77,11 +78,11 @@ FormFactorRow inNewNumbers(const FormFactorRow& row, const Renumbering& numbers,
 }
 
 /// Adds flux along a row to the received flux; negative flux retracts.
-void receive(ShotLight& light, const FormFactorRow& row, const glm::dvec3& flux) {
+void receive(ShotLight& light, const FormFactorRow& row, std::span<const double> flux) {
   for (std::size_t i = 0; i < row.elements.size(); ++i)
-    light.received[row.elements[i]] += flux * formFactor(row.shares[i]);
-  light.lost += flux * formFactor(row.background + row.back);
-  light.lostToBacks += flux * formFactor(row.back);
+    addTo(light.received[row.elements[i]], flux, formFactor(row.shares[i]));
+  addTo(light.lost, flux, formFactor(row.background + row.back));
+  addTo(light.lostToBacks, flux, formFactor(row.back));
 }
 
 /// The patches that keep their old rows: those with the smallest bounds of stale light, as many as allowed.
@@ -123,7 +124,7 @@ class LightUpdate {
     carry(light, std::move(outside));
     const std::vector<double> shares = largestShares();
     std::vector<double> bounds;
-    for (std::size_t p = 0; p < shares.size(); ++p) bounds.push_back(2 * shares[p] * bandSum(glm::abs(light.shot[p])));
+    for (std::size_t p = 0; p < shares.size(); ++p) bounds.push_back(2 * shares[p] * sizeSum(light.shot[p]));
     const LeftRows left = leaveRows(bounds, mayLeave);
     light_.stale += left.stale;
     for (std::uint32_t p = 0; p < shares.size(); ++p) {
@@ -137,8 +138,8 @@ class LightUpdate {
         redirect(p, light.shot[p]);
     }
     // Stale rows may have sent light to removed elements: it counts as lost.
-    light_.lost += light_.received.back();
-    light_.received.pop_back();
+    addTo(light_.lost, light_.received[gone_]);
+    light_.received.resize(gone_);
   }
 
   /// Keeps the unchanged rows, but nothing of the shot light.
@@ -154,18 +155,19 @@ class LightUpdate {
 
  private:
   void carry(const ShotLight& light, OutsideFlux outside) {
-    light_ = {std::vector<glm::dvec3>(after_.discretization.patches.list.size()),
-              std::vector<glm::dvec3>(gone_ + 1),
+    light_ = {BandTable(after_.discretization.patches.list.size(), light.shot.bands),
+              BandTable(gone_ + 1, light.shot.bands),
               light.lost,
               light.lostToBacks,
               light.stale,
               light.lastEmitted};
     for (std::size_t p = 0; p < light.shot.size(); ++p)
-      if (numbers_.patch[p]) light_.shot[*numbers_.patch[p]] = light.shot[p];
-    for (std::size_t e = 0; e < light.received.size(); ++e) light_.received[numbers_.element[e]] += light.received[e];
+      if (numbers_.patch[p]) std::ranges::copy(light.shot[p], light_.shot[*numbers_.patch[p]].begin());
+    for (std::size_t e = 0; e < light.received.size(); ++e)
+      addTo(light_.received[numbers_.element[e]], light.received[e]);
     for (std::size_t e = 0; e < light.outside.received.size(); ++e)
-      light_.received[numbers_.element[e]] -= light.outside.received[e];
-    for (std::size_t e = 0; e < outside.received.size(); ++e) light_.received[e] += outside.received[e];
+      addTo(light_.received[numbers_.element[e]], light.outside.received[e], -1);
+    for (std::size_t e = 0; e < outside.received.size(); ++e) addTo(light_.received[e], outside.received[e]);
     light_.outside = std::move(outside);
   }
 
@@ -210,22 +212,22 @@ class LightUpdate {
   }
 
   /// Retracts the shots of a patch that was moved or removed.
-  void takeBack(std::uint32_t patch, const glm::dvec3& shot) {
-    if (shot == glm::dvec3(0)) return;
+  void takeBack(std::uint32_t patch, std::span<const double> shot) {
+    if (areZero(shot)) return;
     const FormFactorRow* known = kept_.ofPatches.find(patch);
     receive(light_, renumbered(known != nullptr ? *known : before_.drawn.uncorrected().ofPatch(patchBefore(patch))),
-            -shot);
+            scaled(shot, -1));
     ++cost_.rowsRetracted;
   }
 
   /// Redirects the shot light of a patch along the change of its row.
-  void redirect(std::uint32_t patch, const glm::dvec3& shot) {
+  void redirect(std::uint32_t patch, std::span<const double> shot) {
     const std::uint32_t number = *numbers_.patch[patch];
     const FormFactorRow* known = kept_.ofPatches.find(patch);
     const RowChange change = changeOf(change_, patchBefore(patch), after_.discretization.patches.list[number], known);
     if (change.isNothing()) return keep(patch);
     const FormFactorRow before = renumbered(change.before);
-    receive(light_, before, -shot);
+    receive(light_, before, scaled(shot, -1));
     receive(light_, change.after, shot);
     ++(change.isWhole ? cost_.rowsWhole : cost_.rowsInWindows);
     if (change.isWhole)
@@ -280,8 +282,9 @@ UpdateCost DynamicSolution::updateTo(EditedScene edit, const Progress& progress)
   auto next = std::make_unique<DrawnScene>(std::move(edit.scene), std::move(shooting), layOut_, settings_.drawing,
                                            makeRenderer_);
   OutsideFlux outside = next->drawn.outsideFlux();
-  const double emitted = bandSum(emittedFlux(next->scene, next->discretization) + sumOf(outside));
-  const double allowed = settings_.solver.residual * (emitted > 0 ? emitted : light().lastEmitted);
+  Bands emitted = emittedFlux(next->scene, next->discretization);
+  addTo(emitted, sumOf(outside));
+  const double allowed = settings_.solver.residual * (bandSum(emitted) > 0 ? bandSum(emitted) : light().lastEmitted);
   LightUpdate update(*world_, *next, edit.origins, rows_, settings_.solver.rowCacheBytes);
   const bool startsOver = light().stale > maxStale * allowed;
   if (startsOver)
@@ -293,8 +296,8 @@ UpdateCost DynamicSolution::updateTo(EditedScene edit, const Progress& progress)
 
   removed_ = std::move(edit.removed);
   rows_ = std::move(update.rows());
-  ShotLight shot =
-      startsOver ? nothingShot(next->discretization.patches, std::move(outside)) : std::move(update.light());
+  ShotLight shot = startsOver ? nothingShot(next->discretization.patches, bandCount(next->scene), std::move(outside))
+                              : std::move(update.light());
   world_ = std::move(next);
   solution_ = refine(
       {.scene = scene(),

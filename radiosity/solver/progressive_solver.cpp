@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "radiosity/solver/loss_warning.h"
+#include "radiosity/spectra/colour.h"
 #include "raster/base/input_error.h"
 
 namespace hemitex::radiosity {
@@ -13,18 +14,60 @@ namespace {
 
 /// Estimate of the radiosity that the unshot flux will add on average, per band, before the receiver's reflectance. The
 /// flux is distributed over all surfaces and reflected infinitely often with the mean reflectance (Cohen et al. 1988).
-glm::dvec3 ambientEstimate(const Scene& scene, const Discretization& discretization, const Energy& energy) {
+Bands ambientEstimate(const Discretization& discretization, const ElementMaterials& materials, const Energy& energy) {
   double area = 0;
-  glm::dvec3 reflecting(0);
+  Bands reflecting(materials.bands());
   for (std::uint32_t s = 0; s < discretization.grids.size(); ++s) {
-    const SurfaceValues reflectance = reflectances(scene, discretization, s);
-    const Grid& grid = discretization.grids[s];
-    for (const std::uint32_t e : elementsOf(grid)) {
+    for (const std::uint32_t e : elementsOf(discretization.grids[s])) {
       area += discretization.elements[e].area;
-      reflecting += reflectance.of(e) * discretization.elements[e].area;
+      addTo(reflecting, materials.reflectance(s, e), discretization.elements[e].area);
     }
   }
-  return energy.unshot / (area - reflecting);
+  Bands ambient = energy.unshot;
+  for (std::size_t band = 0; band < ambient.size(); ++band) ambient[band] /= area - reflecting[band];
+  return ambient;
+}
+
+/// Converts values in the bands of a scene to colours.
+class BandColours {
+ public:
+  explicit BandColours(const Scene& scene)
+      : ofBands_(scene.wavelengths.empty()
+                     ? std::vector<glm::dvec3>{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}
+                     : linearSrgbOfBands(std::vector(scene.wavelengths.rbegin(), scene.wavelengths.rend()))) {
+    if (!scene.wavelengths.empty()) std::ranges::reverse(ofBands_);
+  }
+
+  glm::dvec3 of(std::span<const double> values) const {
+    glm::dvec3 colour(0);
+    for (std::size_t band = 0; band < values.size(); ++band) colour += ofBands_[band] * values[band];
+    return colour;
+  }
+  std::vector<glm::dvec3> of(const BandTable& table) const {
+    std::vector<glm::dvec3> colours(table.size());
+    for (std::size_t i = 0; i < colours.size(); ++i) colours[i] = of(table[i]);
+    return colours;
+  }
+
+ private:
+  std::vector<glm::dvec3> ofBands_;
+};
+
+/// The irradiance whose reflection, with the emission, is this radiosity; 0 where nothing is reflected.
+glm::dvec3 irradianceFor(const glm::dvec3& radiosity, const glm::dvec3& emission, const glm::dvec3& reflectance) {
+  glm::dvec3 irradiance(0);
+  for (int channel = 0; channel < 3; ++channel)
+    if (reflectance[channel] > 0) irradiance[channel] = (radiosity[channel] - emission[channel]) / reflectance[channel];
+  return irradiance;
+}
+
+/// The irradiance of all elements whose reflection gives their colours.
+std::vector<glm::dvec3> irradianceOf(const SolveInput& input, const std::vector<glm::dvec3>& radiosity) {
+  std::vector<glm::dvec3> irradiance;
+  for (std::uint32_t e = 0; e < radiosity.size(); ++e)
+    irradiance.push_back(irradianceFor(radiosity[e], emission(input.scene, input.discretization, e),
+                                       reflectance(input.scene, input.discretization, e)));
+  return irradiance;
 }
 
 /// Limit for a warning, as a share of the emitted flux. The few pixels that see backs through cracks lose less.
@@ -55,25 +98,25 @@ double unitFluxOf(const ShotLight& light) {
   return (light.lastEmitted - (1 - outsideShare) * bandSum(sumOf(light.outside))) / unitsOfFlux;
 }
 
-/// Shoots until a limit of the settings is reached, after the shots and splits of `past`.
-Solution shoot(const SolveInput& input, ShootingState& state, RowCache& rows, const Progress& progress,
-               const Snapshot& past = {}) {
+/// Shoots until a limit of the settings is reached, after the shots and splits of `past`. Adds what backs absorb of
+/// each patch.
+Solution shoot(const SolveInput& input, ShootingState& state, RowCache& rows, BandTable& absorbedByBacks,
+               const Progress& progress, const Snapshot& past = {}) {
   const SolverSettings& settings = input.settings;
   state.setSeen(input.seen.surfaces);
   Solution solution;
   solution.shots = past.shots;
-  solution.absorbedByBacks = past.absorbedByBacks;
   solution.residual = state.residual();
   const auto isDone = [&] {
     return (settings.shots && solution.shots >= *settings.shots) ||
            (solution.residual <= settings.residual && state.seenResidual() <= settings.residual);
   };
   std::vector<SplitCall> splits = past.splits;
-  const auto snapshot = [&] { return Snapshot{solution.shots, splits, solution.absorbedByBacks, state.saved()}; };
+  const auto snapshot = [&] { return Snapshot{solution.shots, splits, absorbedByBacks, state.saved()}; };
   const double unitFlux = unitFluxOf(state.light());
   const auto weightOf = [&](std::uint32_t number) {
     const Patch& patch = state.patches().list[number];
-    const double ofAll = bandSum(glm::abs(state.unshot(number))) / unitFlux;
+    const double ofAll = sizeSum(state.unshot(number)) / unitFlux;
     if (input.seen.surfaces.empty() || !input.seen.scoutRow || patch.isSettled) return ofAll;
     const double ofSeen = unitsOfFlux * state.seenGain(number, input.seen.scoutRow(patch));
     return std::max(ofAll, ofSeen);
@@ -98,9 +141,8 @@ Solution shoot(const SolveInput& input, ShootingState& state, RowCache& rows, co
     if (hasBeenSplit(patch)) continue;  // another patch may be brighter than the parts
     const FormFactorRow& row = rows.row(patch, [&] { return input.rowOf(state.patches().list[patch]); });
     if (row.back != 0) {
-      std::vector<glm::dvec3>& absorbed = solution.absorbedByBacks;
-      absorbed.resize(std::max(absorbed.size(), std::size_t{patch} + 1));
-      absorbed[patch] += state.unshot(patch) * formFactor(row.back);
+      absorbedByBacks.resize(std::max(absorbedByBacks.size(), std::size_t{patch} + 1));
+      addTo(absorbedByBacks[patch], state.unshot(patch), formFactor(row.back));
     }
     state.shoot(patch, row);
     ++solution.shots;
@@ -121,15 +163,21 @@ void splitAgain(SolveInput& input, const Snapshot& snapshot) {
     const auto number = static_cast<std::uint32_t>(call.patch);
     replacePatch(patches, number, input.split(patches, patches.list[number], call.weight));
   }
-  const std::size_t count = patches.list.size(), elements = patches.ofElement.size();
   const SavedShots& state = snapshot.state;
-  if (state.shot.size() != count || state.unshot.size() != count || state.received.size() != elements)
-    throw raster::InputError("the stored solution has another number of patches or elements");
+  const std::size_t bands = bandCount(input.scene);
+  const auto isOf = [bands](const BandTable& table, std::size_t count) {
+    return table.bands == bands && table.values.size() == count * bands;
+  };
+  const auto isSum = [bands](const KahanSum& sum) { return sum.sum.size() == bands && sum.rest.size() == bands; };
+  const std::size_t count = patches.list.size();
+  if (!isOf(state.shot, count) || !isOf(state.unshot, count) || !isOf(state.received, patches.ofElement.size()) ||
+      !isOf(snapshot.absorbedByBacks, snapshot.absorbedByBacks.size()) || !isSum(state.lost) ||
+      !isSum(state.lostToBacks))
+    throw raster::InputError("the stored solution has another number of patches, elements or bands");
 }
 
-bool areFluxes(const std::vector<glm::dvec3>& values) {
-  return std::all_of(values.begin(), values.end(),
-                     [](const glm::dvec3& flux) { return flux.x >= 0 && flux.y >= 0 && flux.z >= 0; });
+bool areFluxes(const BandTable& table) {
+  return std::ranges::all_of(table.values, [](double flux) { return flux >= 0; });
 }
 
 /// Throws InputError for a stored solution with values that no solution of the scene has: negative flux, or flux that
@@ -137,26 +185,40 @@ bool areFluxes(const std::vector<glm::dvec3>& values) {
 void requireBalanced(const ShootingState& state, const Snapshot& snapshot) {
   constexpr double tolerance = 1e-6;  // sums of a solution balance to 1e-12
   const Energy energy = state.energy();
-  const double emitted = bandSum(energy.emitted);
-  const double missing = bandSum(glm::abs(energy.emitted - energy.absorbed - energy.unshot - energy.lost));
+  const double rounding = tolerance * bandSum(energy.emitted);
+  double missing = 0;
+  bool areLosses = true;
+  for (std::size_t band = 0; band < energy.emitted.size(); ++band) {
+    const double lost = energy.lost[band], toBacks = energy.lostToBacks[band];
+    missing += std::abs(energy.emitted[band] - energy.absorbed[band] - energy.unshot[band] - lost);
+    areLosses = areLosses && toBacks + rounding >= 0 && lost - toBacks + rounding >= 0;
+  }
   const bool areSizes = snapshot.shots >= 0 && snapshot.absorbedByBacks.size() <= state.patches().list.size();
-  const glm::dvec3 rounding(tolerance * emitted);
-  const bool areLosses = areFluxes({energy.lostToBacks + rounding, energy.lost - energy.lostToBacks + rounding});
-  if (!areSizes || !areLosses || !(missing <= tolerance * emitted) || !areFluxes(snapshot.state.shot) ||
+  if (!areSizes || !areLosses || !(missing <= rounding) || !areFluxes(snapshot.state.shot) ||
       !areFluxes(snapshot.state.received) || !areFluxes(snapshot.state.unshot) || !areFluxes(snapshot.absorbedByBacks))
     throw raster::InputError("the stored solution does not balance: it is not one of this scene");
 }
 
-/// Completes a solution with its account of flux and its patches.
-Solution finished(const SolveInput& input, Solution solution, ShootingState state, KeptRows rows) {
+/// Completes a solution with its account of flux, its patches and its colours.
+Solution finished(const SolveInput& input, Solution solution, ShootingState state, BandTable absorbedByBacks,
+                  KeptRows rows) {
+  const Scene& scene = input.scene;
+  const BandColours colours(scene);
   solution.energy = state.energy();
-  if (!solution.absorbedByBacks.empty()) solution.absorbedByBacks.resize(state.patches().list.size());
-  solution.ambient = ambientEstimate(input.scene, input.discretization, solution.energy);
-  solution.warnings = warningsOf(input.scene, solution.energy);
+  if (!absorbedByBacks.empty()) absorbedByBacks.resize(state.patches().list.size());
+  solution.absorbedByBacks = colours.of(absorbedByBacks);
+  solution.ambient =
+      colours.of(ambientEstimate(input.discretization, ElementMaterials(scene, input.discretization), solution.energy));
+  solution.warnings = warningsOf(scene, solution.energy);
   if (input.isContinued) solution.continuation = Continuation{state.light(), std::move(rows)};
   solution.patches = state.takePatches();
-  if (hasMaps(input.scene) || input.settings.keepsIrradiance) solution.irradiance = state.irradiance();
-  solution.radiosity = std::move(state).radiosity();
+  const bool keepsIrradiance = hasMaps(scene) || input.settings.keepsIrradiance;
+  if (keepsIrradiance && scene.wavelengths.empty()) solution.irradiance = colours.of(state.irradiance());
+  BandTable radiosity = std::move(state).radiosity();
+  solution.radiosity = colours.of(radiosity);
+  if (scene.wavelengths.empty()) return solution;
+  if (keepsIrradiance) solution.irradiance = irradianceOf(input, solution.radiosity);
+  solution.radiosityInBands = std::move(radiosity);
   return solution;
 }
 
@@ -173,7 +235,8 @@ Solution solve(SolveInput input, const Progress& progress) {
   if (input.snapshot) splitAgain(input, past);
   const Scene& scene = input.scene;
   const Discretization& discretization = input.discretization;
-  ShotLight nothing = input.snapshot ? ShotLight() : nothingShot(input.patches, std::move(input.outside));
+  const std::size_t bands = bandCount(scene);
+  ShotLight nothing = input.snapshot ? ShotLight() : nothingShot(input.patches, bands, std::move(input.outside));
   ShootingState state =
       input.snapshot
           ? ShootingState(scene, discretization, std::move(input.patches), std::move(input.outside), past.state)
@@ -181,14 +244,16 @@ Solution solve(SolveInput input, const Progress& progress) {
   if (input.snapshot) requireBalanced(state, past);
   const std::size_t bytes = input.settings.rowCacheBytes;
   KeptRows rows{RowCache(input.isContinued ? bytes / 2 : bytes), RowCache(bytes / 2)};
-  Solution solution = shoot(input, state, input.rows != nullptr ? *input.rows : rows.ofPatches, progress, past);
-  return finished(input, std::move(solution), std::move(state), std::move(rows));
+  BandTable absorbedByBacks = input.snapshot ? past.absorbedByBacks : BandTable(0, bands);
+  Solution solution = shoot(input, state, rows.ofPatches, absorbedByBacks, progress, past);
+  return finished(input, std::move(solution), std::move(state), std::move(absorbedByBacks), std::move(rows));
 }
 
 Solution refine(SolveInput input, Continuation past, const Progress& progress) {
   ShootingState state(input.scene, input.discretization, std::move(input.patches), std::move(past.light));
-  Solution solution = shoot(input, state, input.rows != nullptr ? *input.rows : past.rows.ofPatches, progress);
-  return finished(input, std::move(solution), std::move(state), std::move(past.rows));
+  BandTable absorbedByBacks(0, bandCount(input.scene));
+  Solution solution = shoot(input, state, past.rows.ofPatches, absorbedByBacks, progress);
+  return finished(input, std::move(solution), std::move(state), std::move(absorbedByBacks), std::move(past.rows));
 }
 
 }  // namespace hemitex::radiosity

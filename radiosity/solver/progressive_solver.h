@@ -55,9 +55,6 @@ struct SolveInput {
   SeenLight seen = {};
   const Snapshot* snapshot = nullptr;  ///< goes on from here; all else must be that of the solution that it is of
   bool isContinued = false;            ///< see Solution::continuation
-  /// Rows of earlier solutions with other light, whose patches are those of this one or were split into them. They are
-  /// used and kept there. Null for rows of this solution alone.
-  RowCache* rows = nullptr;
 };
 
 /// What `refine` continues from.
@@ -73,20 +70,23 @@ struct SolutionWarning {
   bool operator==(const SolutionWarning&) const = default;
 };
 
+/// Colours are linear sRGB (see colour.h): in a scene with wavelengths those of its bands, with negative channels
+/// outside sRGB.
 struct Solution {
-  std::vector<glm::dvec3> radiosity;  ///< one per element, W/m^2 per band, without the ambient estimate
-  /// One per element, W/m^2 per band: the flux that it received, over its area. Empty if no surface has a map and
-  /// the settings do not keep it.
-  std::vector<glm::dvec3> irradiance;
+  std::vector<glm::dvec3> radiosity;  ///< one per element, W/m^2, without the ambient estimate
+  BandTable radiosityInBands = {};    ///< in a scene with wavelengths: the same in its bands
+  /// One per element, W/m^2: the flux that it received, over its area. At wavelengths that which, reflected by the
+  /// colour of the element, gives its radiosity. Empty if no surface has a map and the settings do not keep it.
+  std::vector<glm::dvec3> irradiance = {};
   glm::dvec3 ambient{0.0};  ///< ambient radiosity of the unshot flux; times reflectance it is added only for display
-  Energy energy;
-  Patches patches;  ///< as split during the solution
+  Energy energy = {};
+  Patches patches = {};  ///< as split during the solution
   /// One per patch: the flux that it shot in this solution and that backs absorbed. Empty if there is none.
-  std::vector<glm::dvec3> absorbedByBacks;
+  std::vector<glm::dvec3> absorbedByBacks = {};
   double residual = 0;  ///< unshot over emitted flux, bands summed (see ShootingState::residual)
   int shots = 0;
   bool isInterrupted = false;  ///< ended by Progress before a limit was reached
-  std::vector<SolutionWarning> warnings;
+  std::vector<SolutionWarning> warnings = {};
   std::optional<Continuation> continuation = {};  ///< if SolveInput::isContinued
 };
 

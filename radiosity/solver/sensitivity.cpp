@@ -9,7 +9,7 @@
 namespace hemitex::radiosity {
 namespace {
 
-using Bands = std::vector<glm::dvec3>;
+using Colours = std::vector<glm::dvec3>;
 
 /// The rows of all patches: row p has the entries [first[p], first[p + 1]).
 struct PatchMatrix {
@@ -33,7 +33,7 @@ PatchMatrix rowsOf(const SolveInput& input, const RowProgress& progress) {
   return matrix;
 }
 
-double sizeOf(const Bands& values) {
+double sizeOf(const Colours& values) {
   double size = 0;
   for (const glm::dvec3& value : values)
     for (int band = 0; band < 3; ++band) size = std::max(size, std::abs(value[band]));
@@ -42,11 +42,11 @@ double sizeOf(const Bands& values) {
 
 /// Iterates x = step(x) from x until it changes by less than 1e-14 of its size. Each step multiplies the error by the
 /// largest reflectance or less; 0.9999 needs 320,000 steps.
-Bands fixedPoint(Bands x, const std::function<Bands(const Bands&)>& step) {
+Colours fixedPoint(Colours x, const std::function<Colours(const Colours&)>& step) {
   constexpr double tolerance = 1e-14;
   constexpr int maxSteps = 1'000'000;
   for (int n = 0; n < maxSteps; ++n) {
-    Bands next = step(x);
+    Colours next = step(x);
     double change = 0;
     for (std::size_t i = 0; i < x.size(); ++i) {
       const glm::dvec3 difference = glm::abs(next[i] - x[i]);
@@ -68,16 +68,18 @@ class Equations {
       reflectance_.push_back(reflectance(input.scene, input.discretization, e));
       emitted_.push_back(emission(input.scene, input.discretization, e) * area_.back());
     }
-    outside_ = input.outside.received.empty() ? Bands(elements, glm::dvec3(0.0)) : input.outside.received;
+    outside_.resize(elements);
+    const BandTable& received = input.outside.received;
+    for (std::size_t e = 0; e < received.size(); ++e) outside_[e] = {received[e][0], received[e][1], received[e][2]};
   }
 
   /// The flux that each element receives, from outside and from others.
-  Bands received() const {
-    return fixedPoint(outside_, [this](const Bands& received) {
+  Colours received() const {
+    return fixedPoint(outside_, [this](const Colours& received) {
       tell();
-      Bands shot(input_.patches.list.size(), glm::dvec3(0.0));
+      Colours shot(input_.patches.list.size(), glm::dvec3(0.0));
       for (std::size_t e = 0; e < area_.size(); ++e) shot[patchOf_[e]] += emitted_[e] + reflectance_[e] * received[e];
-      Bands next = outside_;
+      Colours next = outside_;
       for (std::size_t p = 0; p < shot.size(); ++p)
         for (std::size_t k = matrix_.first[p]; k < matrix_.first[p + 1]; ++k)
           next[matrix_.element[k]] += matrix_.factor[k] * shot[p];
@@ -86,25 +88,25 @@ class Equations {
   }
 
   /// The importance of each element for the weights.
-  Bands importance(std::span<const glm::dvec3> weights) const {
-    const auto ofElement = [&](const Bands& ofPatch, std::size_t e) {
+  Colours importance(std::span<const glm::dvec3> weights) const {
+    const auto ofElement = [&](const Colours& ofPatch, std::size_t e) {
       return weights[e] / area_[e] + ofPatch[patchOf_[e]];
     };
-    const Bands ofPatch = fixedPoint(Bands(input_.patches.list.size(), glm::dvec3(0.0)), [&](const Bands& last) {
+    const Colours ofPatch = fixedPoint(Colours(input_.patches.list.size(), glm::dvec3(0.0)), [&](const Colours& last) {
       tell();
-      Bands next(last.size(), glm::dvec3(0.0));
+      Colours next(last.size(), glm::dvec3(0.0));
       for (std::size_t p = 0; p < next.size(); ++p)
         for (std::size_t k = matrix_.first[p]; k < matrix_.first[p + 1]; ++k)
           next[p] += matrix_.factor[k] * reflectance_[matrix_.element[k]] * ofElement(last, matrix_.element[k]);
       return next;
     });
-    Bands values;
+    Colours values;
     for (std::size_t e = 0; e < area_.size(); ++e) values.push_back(ofElement(ofPatch, e));
     return values;
   }
 
   Sensitivity sensitivity(std::span<const glm::dvec3> weights) const {
-    const Bands flux = received(), value = importance(weights);
+    const Colours flux = received(), value = importance(weights);
     Sensitivity result;
     for (std::size_t e = 0; e < area_.size(); ++e) {
       result.target += value[e] * (emitted_[e] + reflectance_[e] * outside_[e]);
@@ -125,12 +127,13 @@ class Equations {
   PatchMatrix matrix_;
   const std::vector<std::uint32_t>& patchOf_;
   std::vector<double> area_;
-  Bands reflectance_, emitted_, outside_;
+  Colours reflectance_, emitted_, outside_;
 };
 
 }  // namespace
 
 Sensitivity sensitivity(const SolveInput& input, std::span<const glm::dvec3> weights, const RowProgress& progress) {
+  assert(input.scene.wavelengths.empty());
   assert(weights.size() == input.discretization.elements.size());
   return Equations(input, progress).sensitivity(weights);
 }

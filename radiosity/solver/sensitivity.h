@@ -40,9 +40,9 @@ struct Sensitivity {
 /// far and in all. An exception that it throws ends the computation.
 using RowProgress = std::function<void(std::size_t done, std::size_t all)>;
 
-/// The derivatives of J for one weight per element and band, of any sign. Of the input it uses the scene, the
-/// discretization, the patches, their rows and the light from outside; patches are not split. All rows are in memory at
-/// a time, 12 bytes per entry. The result does not depend on threads.
+/// The derivatives of J for one weight per element and band, of any sign, in a scene without wavelengths. Of the input
+/// it uses the scene, the discretization, the patches, their rows and the light from outside; patches are not split.
+/// All rows are in memory at a time, 12 bytes per entry. The result does not depend on threads.
 Sensitivity sensitivity(const SolveInput& input, std::span<const glm::dvec3> weights, const RowProgress& progress = {});
 
 }  // namespace hemitex::radiosity

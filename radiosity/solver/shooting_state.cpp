@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <span>
+#include <utility>
 
 #include "raster/base/parallel.h"
 
@@ -39,16 +40,25 @@ std::vector<Part> partsOf(const FormFactorRow& row, const Discretization& discre
 constexpr std::size_t fetchedAhead = 32;
 
 /// Entries of a row in one surface, and the flux shot along the row.
+template <std::size_t bands>
 struct Arrival {
+  std::uint32_t surface;
   std::span<const std::uint32_t> elements;
   std::span<const std::uint64_t> shares;
-  glm::dvec3 shot;
+  std::span<const double, bands> shot;
   double unitsPerFlux;  ///< 0 if the surface is not seen
 };
 
-/// The flux that an element absorbs of what it received, in whole units.
-std::int64_t absorbedUnits(const glm::dvec3& received, const glm::dvec3& reflectance, double unitsPerFlux) {
-  return static_cast<std::int64_t>(bandSum(received * (1.0 - reflectance)) * unitsPerFlux);
+/// The flux that an element absorbs of what it received, bands summed.
+double absorbedSum(std::span<const double> received, std::span<const double> reflectance) {
+  double sum = 0;
+  for (std::size_t band = 0; band < received.size(); ++band) sum += received[band] * (1.0 - reflectance[band]);
+  return sum;
+}
+
+/// The same in whole units.
+std::int64_t absorbedUnits(std::span<const double> received, std::span<const double> reflectance, double unitsPerFlux) {
+  return static_cast<std::int64_t>(absorbedSum(received, reflectance) * unitsPerFlux);
 }
 
 /// The unshot flux of receiving patches, and their tree blocks.
@@ -56,10 +66,11 @@ class ReceivingPatches {
  public:
   ReceivingPatches(UnshotTree& unshot, std::vector<std::uint32_t>& blocks) : unshot_(unshot), blocks_(blocks) {}
 
-  void add(std::uint32_t patch, const glm::dvec3& flux) {
-    unshot_.add(patch, flux);
+  /// The unshot flux of a patch, to change.
+  std::span<double> operator[](std::uint32_t patch) {
     const std::uint32_t block = patch / UnshotTree::patchesInBlock;
     if (block != last_) blocks_.push_back(last_ = block);
+    return unshot_.ofPatch(patch);
   }
 
  private:
@@ -68,57 +79,64 @@ class ReceivingPatches {
   std::uint32_t last_ = std::numeric_limits<std::uint32_t>::max();
 };
 
-/// Adds the arriving flux to elements, and calls reflect(i, light) for that of the i-th entry. Returns the units that
-/// a seen surface absorbs.
-template <typename Reflect>
-std::int64_t receive(const Arrival& arrival, const SurfaceValues& reflectance, std::span<glm::dvec3> received,
+/// Adds what is reflected of the flux times a factor.
+template <std::size_t bands>
+void addReflected(std::span<double> sum, std::span<const double, bands> flux, double factor,
+                  std::span<const double> reflectance) {
+  for (std::size_t band = 0; band < flux.size(); ++band) sum[band] += flux[band] * factor * reflectance[band];
+}
+
+/// Adds the arriving flux to elements, and calls reflect(i, factor) for the form factor of the i-th entry. Returns the
+/// units that a seen surface absorbs.
+template <std::size_t bands, typename Reflect>
+std::int64_t receive(const Arrival<bands>& arrival, const ElementMaterials& materials, BandTable& received,
                      const Reflect& reflect) {
   const std::span elements = arrival.elements;
   const auto unitsOf = [&](std::uint32_t element) {
-    return absorbedUnits(received[element], reflectance.of(element), arrival.unitsPerFlux);
+    return absorbedUnits(std::as_const(received)[element], materials.reflectance(arrival.surface, element),
+                         arrival.unitsPerFlux);
   };
   const bool isSeen = arrival.unitsPerFlux > 0;
   std::int64_t units = 0;
   for (std::size_t i = 0; i < elements.size(); ++i) {
-    if (i + fetchedAhead < elements.size()) __builtin_prefetch(&received[elements[i + fetchedAhead]], 1);
-    const glm::dvec3 light = arrival.shot * formFactor(arrival.shares[i]);
+    if (i + fetchedAhead < elements.size()) __builtin_prefetch(received[elements[i + fetchedAhead]].data(), 1);
+    const double factor = formFactor(arrival.shares[i]);
     if (isSeen) units -= unitsOf(elements[i]);
-    received[elements[i]] += light;
+    addTo<bands>(received.of<bands>(elements[i]), arrival.shot, factor);
     if (isSeen) units += unitsOf(elements[i]);
-    reflect(i, light);
+    reflect(i, factor);
   }
   return units;
 }
 
 /// Adds the reflected flux of each element to its patch.
-std::int64_t receiveByElements(const Arrival& arrival, const SurfaceValues& reflectance,
-                               std::span<const std::uint32_t> patchOf, std::span<glm::dvec3> received,
-                               ReceivingPatches patches) {
-  return receive(arrival, reflectance, received,
-                 [&, elements = arrival.elements](std::size_t i, const glm::dvec3& light) {
-                   patches.add(patchOf[elements[i]], light * reflectance.of(elements[i]));
-                 });
+template <std::size_t bands>
+std::int64_t receiveByElements(const Arrival<bands>& arrival, const ElementMaterials& materials,
+                               std::span<const std::uint32_t> patchOf, BandTable& received, ReceivingPatches patches) {
+  return receive(arrival, materials, received, [&](std::size_t i, double factor) {
+    const std::uint32_t element = arrival.elements[i];
+    addReflected(patches[patchOf[element]], arrival.shot, factor, materials.reflectance(arrival.surface, element));
+  });
 }
 
 /// As above for a uniform reflectance and patches with several receiving elements: sums the shares per patch first,
 /// except for patches made by splits.
-std::int64_t receiveByPatches(const Arrival& arrival, const SurfaceValues& reflectances, const Grid& grid,
-                              std::span<const std::uint32_t> patchOf, std::span<glm::dvec3> received,
-                              ReceivingPatches patches) {
-  const glm::dvec3 reflectance = reflectances.of(grid.firstElement);
+template <std::size_t bands>
+std::int64_t receiveByPatches(const Arrival<bands>& arrival, const ElementMaterials& materials, const Grid& grid,
+                              std::span<const std::uint32_t> patchOf, BandTable& received, ReceivingPatches patches) {
+  const std::span<const double> reflectance = materials.reflectance(arrival.surface, grid.firstElement);
   std::vector<std::uint64_t> shareOf(grid.patchCount);
-  const std::int64_t units =
-      receive(arrival, reflectances, received,
-              [&, elements = arrival.elements, firstPatch = grid.firstPatch](std::size_t i, const glm::dvec3& light) {
-                const std::uint32_t patch = patchOf[elements[i]];
-                if (patch - firstPatch < shareOf.size())
-                  shareOf[patch - firstPatch] += arrival.shares[i];
-                else
-                  patches.add(patch, light * reflectance);
-              });
-  const glm::dvec3 reflected = arrival.shot * reflectance;
+  const std::int64_t units = receive(arrival, materials, received, [&](std::size_t i, double factor) {
+    const std::uint32_t patch = patchOf[arrival.elements[i]];
+    if (patch - grid.firstPatch < shareOf.size())
+      shareOf[patch - grid.firstPatch] += arrival.shares[i];
+    else
+      addReflected(patches[patch], arrival.shot, factor, reflectance);
+  });
+  Bands reflected(arrival.shot.size());
+  addReflected(reflected, arrival.shot, 1, reflectance);
   for (std::uint32_t p = 0; p < grid.patchCount; ++p)
-    if (shareOf[p] != 0) patches.add(grid.firstPatch + p, reflected * formFactor(shareOf[p]));
+    if (shareOf[p] != 0) addTo(patches[grid.firstPatch + p], reflected, formFactor(shareOf[p]));
   return units;
 }
 
@@ -136,9 +154,10 @@ struct SeenSurfaces {
 };
 
 /// Applies a shot to all entries of a part, surface by surface.
-Receipt receive(const Part& part, const glm::dvec3& shot, const FormFactorRow& row, const SeenSurfaces& seen,
-                const Scene& scene, const Discretization& discretization, std::span<const std::uint32_t> patchOf,
-                std::span<glm::dvec3> received, UnshotTree& unshot) {
+template <std::size_t bands>
+Receipt receive(const Part& part, std::span<const double, bands> shot, const FormFactorRow& row,
+                const SeenSurfaces& seen, const ElementMaterials& materials, const Discretization& discretization,
+                std::span<const std::uint32_t> patchOf, BandTable& received, UnshotTree& unshot) {
   Receipt receipt{.blocks = {}, .visits = part.end - part.first, .seenUnits = 0};
   for (std::size_t first = part.first, end = part.first; first < part.end; first = end) {
     const std::uint32_t surface = discretization.elements[row.elements[first]].surface;
@@ -147,17 +166,17 @@ Receipt receive(const Part& part, const glm::dvec3& shot, const FormFactorRow& r
                                          row.elements.begin() + static_cast<std::ptrdiff_t>(part.end), endOf(grid));
     end = static_cast<std::size_t>(behind - row.elements.begin());
     const std::size_t count = end - first;
-    const Arrival arrival{std::span(row.elements).subspan(first, count), std::span(row.shares).subspan(first, count),
-                          shot, !seen.surfaces.empty() && seen.surfaces[surface] ? seen.unitsPerFlux : 0};
-    const SurfaceValues reflectance = reflectances(scene, discretization, surface);
+    const Arrival<bands> arrival{surface, std::span(row.elements).subspan(first, count),
+                                 std::span(row.shares).subspan(first, count), shot,
+                                 !seen.surfaces.empty() && seen.surfaces[surface] ? seen.unitsPerFlux : 0};
     const ReceivingPatches patches(unshot, receipt.blocks);
     // The pass over patches must not be longer than that over entries: a row may contain few elements of a large
     // surface.
-    if (reflectance.areEqual() && grid.patchCount <= count / 2) {
-      receipt.seenUnits += receiveByPatches(arrival, reflectance, grid, patchOf, received, patches);
+    if (!materials.hasReflectanceMaps() && grid.patchCount <= count / 2) {
+      receipt.seenUnits += receiveByPatches(arrival, materials, grid, patchOf, received, patches);
       receipt.visits += grid.patchCount;
     } else {
-      receipt.seenUnits += receiveByElements(arrival, reflectance, patchOf, received, patches);
+      receipt.seenUnits += receiveByElements(arrival, materials, patchOf, received, patches);
     }
   }
   return receipt;
@@ -165,33 +184,23 @@ Receipt receive(const Part& part, const glm::dvec3& shot, const FormFactorRow& r
 
 }  // namespace
 
-ShotLight nothingShot(const Patches& patches, OutsideFlux outside) {
-  ShotLight light;
-  light.shot.resize(patches.list.size());
-  light.received = outside.received;
-  light.received.resize(patches.ofElement.size());
+ShotLight nothingShot(const Patches& patches, std::size_t bands, OutsideFlux outside) {
+  ShotLight light{BandTable(patches.list.size(), bands), outside.received, Bands(bands), Bands(bands)};
+  if (outside.received.empty()) light.received = BandTable(patches.ofElement.size(), bands);
   light.outside = std::move(outside);
   return light;
 }
 
-glm::dvec3 emittedFlux(const Scene& scene, const Discretization& discretization) {
-  KahanSum sum;
-  for (std::uint32_t s = 0; s < discretization.grids.size(); ++s) {
-    const SurfaceValues emission = emissions(scene, discretization, s);
-    if (emission.areZero()) continue;
-    for (const std::uint32_t element : elementsOf(discretization.grids[s]))
-      sum.add(emission.of(element) * discretization.elements[element].area);
-  }
-  return sum.value();
-}
-
 ShootingState::ShootingState(const Scene& scene, const Discretization& discretization, Patches patches, ShotLight light)
-    : scene_(scene),
-      discretization_(discretization),
+    : discretization_(discretization),
+      materials_(scene, discretization),
       patches_(std::move(patches)),
       light_(std::move(light)),
       unshot_(unshotByPatches()),
-      emitted_(emittedFlux(scene, discretization) + sumOf(light_.outside)) {
+      emitted_(emittedFlux(discretization, materials_)),
+      lost_(materials_.bands()),
+      lostToBacks_(materials_.bands()) {
+  addTo(emitted_, sumOf(light_.outside));
   if (bandSum(emitted_) > 0) light_.lastEmitted = bandSum(emitted_);
   lost_.add(light_.lost);
   lostToBacks_.add(light_.lostToBacks);
@@ -199,33 +208,36 @@ ShootingState::ShootingState(const Scene& scene, const Discretization& discretiz
 
 ShootingState::ShootingState(const Scene& scene, const Discretization& discretization, Patches patches,
                              OutsideFlux outside, SavedShots saved)
-    : scene_(scene),
-      discretization_(discretization),
+    : discretization_(discretization),
+      materials_(scene, discretization),
       patches_(std::move(patches)),
+      light_{std::move(saved.shot), std::move(saved.received), saved.lost.sum, saved.lostToBacks.sum},
       unshot_(std::move(saved.unshot)),
-      emitted_(emittedFlux(scene, discretization) + sumOf(outside)),
-      lost_(saved.lost),
-      lostToBacks_(saved.lostToBacks) {
-  light_.shot = std::move(saved.shot);
-  light_.received = std::move(saved.received);
+      emitted_(emittedFlux(discretization, materials_)),
+      lost_(std::move(saved.lost)),
+      lostToBacks_(std::move(saved.lostToBacks)) {
+  addTo(emitted_, sumOf(outside));
   light_.outside = std::move(outside);
-  light_.lost = lost_.value();
-  light_.lostToBacks = lostToBacks_.value();
   light_.lastEmitted = bandSum(emitted_);
 }
 
 SavedShots ShootingState::saved() const { return {light_.shot, light_.received, unshot_.flux(), lost_, lostToBacks_}; }
 
 std::size_t ShootingState::shoot(std::uint32_t patch, const FormFactorRow& row) {
-  const glm::dvec3 shot = unshot_.flux()[patch];
-  light_.shot[patch] += shot;
-  unshot_.clear(patch);
+  const std::span<double> unshot = unshot_.ofPatch(patch);
+  const Bands shot(unshot.begin(), unshot.end());
+  addTo(light_.shot[patch], shot);
+  std::ranges::fill(unshot, 0);
   const std::vector<Part> parts = partsOf(row, discretization_);
   std::vector<Receipt> receipts(parts.size());
   // Patches belong to one surface, so that no two threads change the same patch.
   raster::parallelFor(parts.size(), [&](std::size_t i) {
-    receipts[i] = receive(parts[i], shot, row, {seen_, unitsPerFlux_}, scene_, discretization_, patches_.ofElement,
-                          light_.received, unshot_);
+    const auto receiveShot = [&]<std::size_t bands>(std::span<const double, bands> flux) {
+      return receive(parts[i], flux, row, {seen_, unitsPerFlux_}, materials_, discretization_, patches_.ofElement,
+                     light_.received, unshot_);
+    };
+    receipts[i] = shot.size() == 3 ? receiveShot(std::span<const double, 3>(shot.data(), 3))
+                                   : receiveShot(std::span<const double>(shot));
   });
   std::vector<std::uint32_t> blocks{patch / UnshotTree::patchesInBlock};
   std::size_t visits = 0;
@@ -234,39 +246,44 @@ std::size_t ShootingState::shoot(std::uint32_t patch, const FormFactorRow& row) 
     visits += receipt.visits;
     seenUnits_ += receipt.seenUnits;
   }
-  lost_.add(shot * formFactor(row.background + row.back));
-  lostToBacks_.add(shot * formFactor(row.back));
-  light_.lost = lost_.value();
-  light_.lostToBacks = lostToBacks_.value();
+  lost_.add(shot, formFactor(row.background + row.back));
+  lostToBacks_.add(shot, formFactor(row.back));
+  light_.lost = lost_.sum;
+  light_.lostToBacks = lostToBacks_.sum;
   return visits + unshot_.update(blocks);
 }
 
 Energy ShootingState::energy() const {
-  KahanSum unshot;
-  for (const glm::dvec3& flux : unshot_.flux()) unshot.add(flux);
-  return {emitted_, absorbed(), unshot.value(), lost_.value(), lostToBacks_.value(), light_.outside.onBacks};
+  KahanSum unshot(materials_.bands());
+  for (std::size_t p = 0; p < unshot_.flux().size(); ++p) unshot.add(unshot_.flux()[p]);
+  Bands onBacks = light_.outside.onBacks;
+  onBacks.resize(materials_.bands());
+  return {emitted_, absorbed(), unshot.sum, lost_.sum, lostToBacks_.sum, onBacks};
 }
 
 /// The flux that the elements received and do not reflect. Short sums are plain sums, which are four times as fast and
 /// lose at most one digit.
-glm::dvec3 ShootingState::absorbed() const {
+Bands ShootingState::absorbed() const {
   constexpr std::uint32_t summedPlainly = 64;
-  std::vector<glm::dvec3> ofSurfaces(discretization_.grids.size());
+  std::vector<Bands> ofSurfaces(discretization_.grids.size());
   raster::parallelFor(ofSurfaces.size(), [&](std::size_t s) {
-    const SurfaceValues reflectance = reflectances(scene_, discretization_, static_cast<std::uint32_t>(s));
     const Grid& grid = discretization_.grids[s];
-    KahanSum sum;
+    KahanSum sum(materials_.bands());
     for (std::uint32_t first = grid.firstElement; first < endOf(grid); first += summedPlainly) {
-      glm::dvec3 some(0);
-      for (std::uint32_t e = first; e < std::min(first + summedPlainly, endOf(grid)); ++e)
-        some += light_.received[e] - light_.received[e] * reflectance.of(e);
+      Bands some(materials_.bands());
+      for (std::uint32_t e = first; e < std::min(first + summedPlainly, endOf(grid)); ++e) {
+        const std::span<const double> received = light_.received[e],
+                                      reflectance = materials_.reflectance(static_cast<std::uint32_t>(s), e);
+        for (std::size_t band = 0; band < some.size(); ++band)
+          some[band] += received[band] - received[band] * reflectance[band];
+      }
       sum.add(some);
     }
-    ofSurfaces[s] = sum.value();
+    ofSurfaces[s] = sum.sum;
   });
-  KahanSum sum;
-  for (const glm::dvec3& ofSurface : ofSurfaces) sum.add(ofSurface);
-  return sum.value();
+  KahanSum sum(materials_.bands());
+  for (const Bands& ofSurface : ofSurfaces) sum.add(ofSurface);
+  return sum.sum;
 }
 
 double ShootingState::residual() const {
@@ -280,70 +297,75 @@ void ShootingState::setSeen(std::vector<bool> surfaces) {
   seenUnits_ = 0;
   for (std::uint32_t s = 0; s < seen_.size(); ++s) {
     if (!seen_[s]) continue;
-    const SurfaceValues reflectance = reflectances(scene_, discretization_, s);
     for (const std::uint32_t element : elementsOf(discretization_.grids[s]))
-      seenUnits_ += absorbedUnits(light_.received[element], reflectance.of(element), unitsPerFlux_);
+      seenUnits_ += absorbedUnits(light_.received[element], materials_.reflectance(s, element), unitsPerFlux_);
   }
 }
 
 double ShootingState::seenResidual() const {
   double unshot = 0;
   for (std::size_t p = 0; p < patches_.list.size() && !seen_.empty(); ++p)
-    if (seen_[patches_.list[p].surface]) unshot += bandSum(glm::abs(unshot_.flux()[p]));
+    if (seen_[patches_.list[p].surface]) unshot += sizeSum(unshot_.flux()[p]);
   return unshot > 0 ? unshot / (static_cast<double>(seenUnits_) / unitsPerFlux_) : 0;
 }
 
 double ShootingState::seenGain(std::uint32_t patch, const FormFactorRow& row) const {
-  const glm::dvec3 flux = glm::abs(unshot(patch));
+  Bands flux(unshot(patch).begin(), unshot(patch).end());
+  for (double& value : flux) value = std::abs(value);
   double gain = 0;
   for (std::size_t i = 0; i < row.elements.size(); ++i) {
     const std::uint32_t element = row.elements[i], surface = discretization_.elements[element].surface;
-    if (!seen_[surface]) continue;
-    const glm::dvec3& reflectance = reflectances(scene_, discretization_, surface).of(element);
-    gain += bandSum(flux * (1.0 - reflectance)) * formFactor(row.shares[i]);
+    if (seen_[surface]) gain += absorbedSum(flux, materials_.reflectance(surface, element)) * formFactor(row.shares[i]);
   }
   return gain > 0 ? gain / (gain + static_cast<double>(seenUnits_) / unitsPerFlux_) : 0;
 }
 
-std::vector<glm::dvec3> ShootingState::irradiance() const {
-  std::vector<glm::dvec3> irradiance(light_.received);
-  for (std::size_t e = 0; e < irradiance.size(); ++e) irradiance[e] /= discretization_.elements[e].area;
+BandTable ShootingState::irradiance() const {
+  BandTable irradiance(light_.received);
+  for (std::size_t e = 0; e < irradiance.size(); ++e)
+    for (double& value : irradiance[e]) value /= discretization_.elements[e].area;
   return irradiance;
 }
 
-std::vector<glm::dvec3> ShootingState::radiosity() && {
+BandTable ShootingState::radiosity() && {
   raster::parallelFor(discretization_.grids.size(), [&](std::size_t s) {
     const auto surface = static_cast<std::uint32_t>(s);
-    const SurfaceValues emission = emissions(scene_, discretization_, surface),
-                        reflectance = reflectances(scene_, discretization_, surface);
     for (const std::uint32_t element : elementsOf(discretization_.grids[s])) {
       const double area = discretization_.elements[element].area;
-      glm::dvec3& value = light_.received[element];
-      value = (emission.of(element) * area + reflectance.of(element) * value) / area;
+      const std::span<const double> emission = materials_.emission(surface, element),
+                                    reflectance = materials_.reflectance(surface, element);
+      const std::span<double> values = light_.received[element];
+      for (std::size_t band = 0; band < values.size(); ++band)
+        values[band] = (emission[band] * area + reflectance[band] * values[band]) / area;
     }
   });
   return std::move(light_.received);
 }
 
 /// The outgoing flux of a patch's elements minus what the patch has shot.
-glm::dvec3 ShootingState::unshotOf(std::uint32_t number) const {
+Bands ShootingState::unshotOf(std::uint32_t number) const {
   const Patch& patch = patches_.list[number];
-  const SurfaceValues emission = emissions(scene_, discretization_, patch.surface),
-                      reflectance = reflectances(scene_, discretization_, patch.surface);
-  KahanSum sum;
-  sum.add(-light_.shot[number]);
-  for (const std::uint32_t element : patch.elements)
-    sum.add(emission.of(element) * discretization_.elements[element].area +
-            reflectance.of(element) * light_.received[element]);
-  return sum.value();
+  KahanSum sum(materials_.bands());
+  sum.add(light_.shot[number], -1);
+  Bands outgoing(materials_.bands());
+  for (const std::uint32_t element : patch.elements) {
+    const std::span<const double> emission = materials_.emission(patch.surface, element),
+                                  reflectance = materials_.reflectance(patch.surface, element),
+                                  received = light_.received[element];
+    for (std::size_t band = 0; band < outgoing.size(); ++band)
+      outgoing[band] = emission[band] * discretization_.elements[element].area + reflectance[band] * received[band];
+    sum.add(outgoing);
+  }
+  return sum.sum;
 }
 
-std::vector<glm::dvec3> ShootingState::unshotByPatches() const {
+BandTable ShootingState::unshotByPatches() const {
   assert(light_.shot.size() == patches_.list.size());
   assert(light_.received.size() == discretization_.elements.size());
-  std::vector<glm::dvec3> unshot(light_.shot.size());
-  raster::parallelFor(unshot.size(),
-                      [&](std::size_t patch) { unshot[patch] = unshotOf(static_cast<std::uint32_t>(patch)); });
+  BandTable unshot(light_.shot.size(), materials_.bands());
+  raster::parallelFor(unshot.size(), [&](std::size_t patch) {
+    std::ranges::copy(unshotOf(static_cast<std::uint32_t>(patch)), unshot[patch].begin());
+  });
   return unshot;
 }
 
@@ -357,8 +379,7 @@ void ShootingState::split(std::uint32_t number, std::vector<Patch> parts) {
   unshot_.grow(end);
   std::vector<std::uint32_t> blocks;
   const auto makeAnew = [&](std::uint32_t changed) {
-    unshot_.clear(changed);
-    unshot_.add(changed, unshotOf(changed));
+    std::ranges::copy(unshotOf(changed), unshot_.ofPatch(changed).begin());
     blocks.push_back(changed / UnshotTree::patchesInBlock);
   };
   makeAnew(number);

@@ -19,12 +19,14 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <glm/glm.hpp>
+#include <span>
 #include <utility>
 #include <vector>
 
+#include "radiosity/base/bands.h"
 #include "radiosity/base/kahan_sum.h"
 #include "radiosity/discretization/discretization.h"
+#include "radiosity/discretization/element_materials.h"
 #include "radiosity/form_factors/form_factor_row.h"
 #include "radiosity/form_factors/outside_flux.h"
 #include "radiosity/scene/scene.h"
@@ -32,22 +34,22 @@
 
 namespace hemitex::radiosity {
 
-/// Flux in W per RGB band. emitted = absorbed + unshot + lost.
+/// Flux in W per band. emitted = absorbed + unshot + lost.
 struct Energy {
-  glm::dvec3 emitted{0.0};  ///< by elements, and what elements receive from outside
-  glm::dvec3 absorbed{0.0};
-  glm::dvec3 unshot{0.0};       ///< signed: flux to be retracted lowers it
-  glm::dvec3 lost{0.0};         ///< left the scene or was absorbed by backs
-  glm::dvec3 lostToBacks{0.0};  ///< part of `lost` that backs absorbed
-  glm::dvec3 skyOnBacks{0.0};   ///< from outside, absorbed by backs; in no other number
+  Bands emitted;  ///< by elements, and what elements receive from outside
+  Bands absorbed;
+  Bands unshot;       ///< signed: flux to be retracted lowers it
+  Bands lost;         ///< left the scene or was absorbed by backs
+  Bands lostToBacks;  ///< part of `lost` that backs absorbed
+  Bands skyOnBacks;   ///< from outside, absorbed by backs; in no other number
 };
 
 /// The flux that was shot, in W per band, and where it arrived: all that is needed to continue.
 struct ShotLight {
-  std::vector<glm::dvec3> shot;      ///< one per patch
-  std::vector<glm::dvec3> received;  ///< one per element
-  glm::dvec3 lost{0.0};              ///< left the scene or was absorbed by backs
-  glm::dvec3 lostToBacks{0.0};       ///< part of `lost` that backs absorbed
+  BandTable shot;      ///< one per patch
+  BandTable received;  ///< one per element
+  Bands lost;          ///< left the scene or was absorbed by backs
+  Bands lostToBacks;   ///< part of `lost` that backs absorbed
   /// Upper bound of stale flux, bands summed: it was shot along rows that were not updated. Part of the residual.
   double stale = 0;
   double lastEmitted = 0;    ///< bands summed: the reference of the residual when nothing is emitted
@@ -56,17 +58,14 @@ struct ShotLight {
 
 /// A state between two shots, with the rounding errors of its sums. Light from outside is computed again.
 struct SavedShots {
-  std::vector<glm::dvec3> shot;      ///< one per patch
-  std::vector<glm::dvec3> received;  ///< one per element
-  std::vector<glm::dvec3> unshot;    ///< one per patch
+  BandTable shot;      ///< one per patch
+  BandTable received;  ///< one per element
+  BandTable unshot;    ///< one per patch
   KahanSum lost, lostToBacks;
 };
 
-/// The light before the first shot.
-ShotLight nothingShot(const Patches& patches, OutsideFlux outside = {});
-
-/// The flux that all elements emit, in W per band.
-glm::dvec3 emittedFlux(const Scene& scene, const Discretization& discretization);
+/// The light before the first shot, for a number of bands.
+ShotLight nothingShot(const Patches& patches, std::size_t bands, OutsideFlux outside = {});
 
 class ShootingState {
  public:
@@ -86,8 +85,8 @@ class ShootingState {
   /// The patches with the largest absolute unshot flux, in this order; at most `count`.
   std::vector<std::uint32_t> brightestPatches(std::size_t count) const { return unshot_.brightestPatches(count); }
   /// The unshot flux of a patch in W per band, and whether it has ever shot.
-  const glm::dvec3& unshot(std::uint32_t patch) const { return unshot_.flux()[patch]; }
-  bool hasShot(std::uint32_t patch) const { return light_.shot[patch] != glm::dvec3(0); }
+  std::span<const double> unshot(std::uint32_t patch) const { return unshot_.flux()[patch]; }
+  bool hasShot(std::uint32_t patch) const { return !areZero(light_.shot[patch]); }
   /// Replaces a patch that never shot by parts (see replacePatch). If they are several, they get the unshot flux of
   /// their elements.
   void split(std::uint32_t patch, std::vector<Patch> parts);
@@ -110,19 +109,19 @@ class ShootingState {
   /// summed. Visits the elements of the row.
   double seenGain(std::uint32_t patch, const FormFactorRow& row) const;
   /// Irradiance of the elements, W/m^2 per band: received flux over area.
-  std::vector<glm::dvec3> irradiance() const;
+  BandTable irradiance() const;
   /// Radiosity of the elements, W/m^2 per band: flux over area. Reuses the memory of the received flux.
-  std::vector<glm::dvec3> radiosity() &&;
+  BandTable radiosity() &&;
   /// Moves the patches out. This object must not be used afterwards.
   Patches takePatches() { return std::move(patches_); }
 
  private:
-  glm::dvec3 absorbed() const;
-  glm::dvec3 unshotOf(std::uint32_t patch) const;
-  std::vector<glm::dvec3> unshotByPatches() const;
+  Bands absorbed() const;
+  Bands unshotOf(std::uint32_t patch) const;
+  BandTable unshotByPatches() const;
 
-  const Scene& scene_;
   const Discretization& discretization_;
+  ElementMaterials materials_;
   Patches patches_;
   ShotLight light_;
   UnshotTree unshot_;       ///< one per patch
@@ -131,7 +130,7 @@ class ShootingState {
   /// any order, so that it can follow the shots, and is that of a state which was stored.
   std::int64_t seenUnits_ = 0;
   double unitsPerFlux_ = 0;
-  glm::dvec3 emitted_{0.0};
+  Bands emitted_;
   KahanSum lost_, lostToBacks_;
 };
 

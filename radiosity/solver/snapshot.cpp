@@ -14,12 +14,15 @@ template <typename AnySnapshot, typename Visit>
 void forEachPart(AnySnapshot& snapshot, const Visit& visit) {
   visit(snapshot.shots);
   visit(snapshot.splits);
-  visit(snapshot.absorbedByBacks);
-  visit(snapshot.state.shot);
-  visit(snapshot.state.received);
-  visit(snapshot.state.unshot);
-  visit(snapshot.state.lost);
-  visit(snapshot.state.lostToBacks);
+  for (auto* table :
+       {&snapshot.absorbedByBacks, &snapshot.state.shot, &snapshot.state.received, &snapshot.state.unshot}) {
+    visit(table->bands);
+    visit(table->values);
+  }
+  for (auto* sum : {&snapshot.state.lost, &snapshot.state.lostToBacks}) {
+    visit(sum->sum);
+    visit(sum->rest);
+  }
 }
 
 }  // namespace

@@ -19,12 +19,12 @@ struct SplitCall {
 
 struct Snapshot {
   int shots = 0;
-  std::vector<SplitCall> splits;            ///< in the order of the calls
-  std::vector<glm::dvec3> absorbedByBacks;  ///< see Solution
+  std::vector<SplitCall> splits;  ///< in the order of the calls
+  BandTable absorbedByBacks;      ///< see Solution; in bands
   SavedShots state;
 };
 
-/// The snapshot as bytes: 24 per element, 88 per patch.
+/// The snapshot as bytes: in three bands 24 per element, 88 per patch.
 std::string toBytes(const Snapshot& snapshot);
 /// Reads the bytes of one snapshot from the start of `bytes` and removes them there. Throws InputError if they are too
 /// few.

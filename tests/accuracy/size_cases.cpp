@@ -41,7 +41,7 @@ OneSurfaceFindings ofOneSurface() {
   const auto receivers = reference::everyElement(world.discretization);
   return {formFactor(rowOf(world.discretization.patches.list[0]).background),
           hemisphereRow(world.scene, receivers, world.discretization).background.value,
-          energy.lost.x / energy.emitted.x};
+          energy.lost[0] / energy.emitted[0]};
 }
 
 MillionFindings ofAMillionSurfaces() {

@@ -14,12 +14,15 @@ using namespace radiosity;
 
 Solution solutionOf(tests::HemicubeWorld& world, int resolution, const Progress& progress) {
   ProjectedFormFactors rows = world.rows(resolution);
-  return solve({.scene = world.scene, .discretization = world.discretization, .patches = world.discretization.patches, .rowOf = [&](const radiosity::Patch& patch) { return rows.ofPatch(patch); }}, progress);
+  return solve({.scene = world.scene,
+                .discretization = world.discretization,
+                .patches = world.discretization.patches,
+                .rowOf = [&](const radiosity::Patch& patch) { return rows.ofPatch(patch); }},
+               progress);
 }
 
 double accountErrorOf(const Energy& energy) {
-  const glm::dvec3 accounted = energy.absorbed + energy.unshot + energy.lost;
-  return std::abs(accounted.x - energy.emitted.x) / energy.emitted.x;
+  return std::abs(energy.absorbed[0] + energy.unshot[0] + energy.lost[0] - energy.emitted[0]) / energy.emitted[0];
 }
 
 /// The light is a square that faces down, a quarter below the ceiling.

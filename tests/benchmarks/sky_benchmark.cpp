@@ -59,7 +59,7 @@ void leaveOutCovered(const World& world, std::vector<double>& truth) {
   const radiosity::OutsideFlux found = radiosity::outsideFlux(world.scene, world.discretization, world.layout,
                                                               *renderer, {.directions = radiosity::minDirections});
   for (std::size_t e = 0; e < truth.size(); ++e)
-    if (found.received[e].r == 0 && truth[e] > 0.99 * world.discretization.elements[e].area) truth[e] = 0;
+    if (found.received[e][0] == 0 && truth[e] > 0.99 * world.discretization.elements[e].area) truth[e] = 0;
 }
 
 double errorOf(const std::vector<double>& flux, const std::vector<double>& truth) {
@@ -87,7 +87,7 @@ void measureBeams(const World& world, const std::vector<double>& truth) {
         radiosity::outsideFlux(world.scene, world.discretization, world.layout, *renderer, views);
     const double seconds = secondsSince(start);
     std::vector<double> flux;
-    for (const glm::dvec3& received : found.received) flux.push_back(received.r);
+    for (std::size_t e = 0; e < found.received.size(); ++e) flux.push_back(found.received[e][0]);
     print("directions", views.directions, views.pixelsPerElement, flux, truth, seconds);
   }
 }

@@ -36,7 +36,7 @@ struct Unsplit {
 
   radiosity::ShootingState start() const {
     const radiosity::Patches& patches = discretization.patches;
-    return {scene, discretization, patches, radiosity::nothingShot(patches)};
+    return {scene, discretization, patches, radiosity::nothingShot(patches, radiosity::bandCount(scene))};
   }
   radiosity::FormFactorRow row(std::uint32_t patch) {
     return drawn.uncorrected().ofPatch(discretization.patches.list[patch]);

@@ -22,13 +22,12 @@ std::string title() {
   return empty.substr(0, empty.find('\n') + 1);
 }
 
-/// A cube that is drawn at a low resolution. Rows are kept for the next inputs.
+/// A cube that is drawn at a low resolution.
 struct Room {
   const radiosity::Scene scene = tests::closedCube(glm::dvec3(0.5), glm::dvec3(1));
   const radiosity::Discretization discretization = radiosity::discretize(scene, {.texels = 2, .patch = 2});
   radiosity::SceneFormFactors drawn{
       scene, discretization, radiosity::layOut(discretization), {.resolution = 8, .split = 0.1}};
-  radiosity::RowCache rows{std::size_t{1} << 24};
 
   void goOnFrom(const radiosity::Snapshot& snapshot) {
     const radiosity::Solution solution = radiosity::solve({.scene = scene,
@@ -37,8 +36,7 @@ struct Room {
                                                            .rowOf = drawn.rowOf(),
                                                            .split = drawn.splits(),
                                                            .settings = {.shots = 10},
-                                                           .snapshot = &snapshot,
-                                                           .rows = &rows});
+                                                           .snapshot = &snapshot});
     const auto isFinite = [](const glm::dvec3& v) {
       return std::isfinite(v.r) && std::isfinite(v.g) && std::isfinite(v.b);
     };

@@ -216,13 +216,33 @@ TEST_CASE("hemitex solve --bands refuses a wrong file in one line with the place
   CHECK_FALSE(std::filesystem::exists(shell.file("out")));
 }
 
-TEST_CASE("hemitex solve --bands refuses options of solutions that go on later", "[cli]") {
+TEST_CASE("hemitex solve --bands goes on from a checkpoint with the same bits", "[cli]") {
   const Shell shell;
-  writeAll(shell.file("bands.json"), R"({"wavelengths": [450]})");
-  const std::string option = GENERATE(as<std::string>(), "--edits e.json", "--checkpoint c", "--resume c");
-  const Outcome outcome = shell.run("solve " + box + " -o out --bands bands.json " + option);
-  CHECK(outcome.exitCode == 2);
-  CHECK_THAT(outcome.err, Catch::Contains("--bands") && Catch::Contains(option.substr(0, option.find(' '))));
+  writeAll(shell.file("bands.json"), R"({"wavelengths": [450, 550, 600, 650]})");
+  shell.output(quick + "-o whole --bands bands.json");
+  shell.output(quick + "-o kept --bands bands.json --checkpoint c");
+  shell.output(quick + "-o resumed --bands bands.json --resume c");
+  for (const std::string folder : {"kept", "resumed"}) {
+    CHECK(readAll(shell.file(folder + "/elements.csv")) == readAll(shell.file("whole/elements.csv")));
+    CHECK(solutionOf(shell, folder)["energy"] == solutionOf(shell, "whole")["energy"]);
+  }
+  writeAll(shell.file("bands.json"), R"({"wavelengths": [450, 550, 650]})");
+  CHECK(shell.run(quick + "-o other --bands bands.json --resume c").exitCode == 2);
+}
+
+TEST_CASE("hemitex solve --bands follows edits, whose colours stand for bands", "[cli]") {
+  const Shell shell;
+  writeAll(shell.file("bands.json"), rgbOfBox);
+  writeAll(shell.file("edits.json"), R"({"frames": [[{"emission": "light", "to": [3, 0, 0]}]]})");
+  shell.output(quick + "-o out --bands bands.json --edits edits.json");
+  const json energy = json::parse(readAll(shell.file("out/frame-1/solution.json")))["energy"];
+  CHECK(energy["emitted"][0] == 0);
+  CHECK(energy["emitted"][1] == 0);
+  for (std::size_t band = 0; band < 3; ++band) {
+    const auto flux = [&](const char* name) { return energy[name][band].get<double>(); };
+    CHECK(flux("absorbed") + flux("unshot") + flux("lost") ==
+          Approx(flux("emitted")).epsilon(1e-9).margin(1e-9 * energy["emitted"][2].get<double>()));
+  }
 }
 
 TEST_CASE("hemitex solve --bands works with an error bound, adaptive elements, a report and a light map", "[cli]") {

@@ -182,11 +182,11 @@ TEST_CASE("solve of a million surfaces of 2 x 2 texels balances its account", "[
                                    .settings = {.shots = 3}});
   CHECK(solution.shots == 3);
   const Energy& energy = solution.energy;
-  CHECK(energy.absorbed.x + energy.unshot.x + energy.lost.x + energy.lostToBacks.x ==
-        Approx(energy.emitted.x).epsilon(1e-12));
+  CHECK(energy.absorbed[0] + energy.unshot[0] + energy.lost[0] + energy.lostToBacks[0] ==
+        Approx(energy.emitted[0]).epsilon(1e-12));
   // The first shot is that of the floor, from its centre. The light that left through the sides of the room is 1 minus
   // the closed form. Two squares of a millionth of the area send a millionth of that back.
   const std::vector<glm::dvec3> ceiling{{0, 0, 1}, {0, 1, 1}, {1, 1, 1}, {1, 0, 1}};
   const double arrived = reference::pointToPolygon({0.5, 0.5, 0}, {0, 0, 1}, ceiling);
-  CHECK(energy.lost.x == Approx(1 - arrived).epsilon(0.002));
+  CHECK(energy.lost[0] == Approx(1 - arrived).epsilon(0.002));
 }

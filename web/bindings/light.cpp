@@ -10,10 +10,10 @@
 #include <vector>
 
 #include "radiosity/bands/element_table.h"
+#include "radiosity/base/csv_table.h"
 #include "radiosity/light/light.h"
 #include "radiosity/scene/load_scene.h"
 #include "radiosity/solver/shooting_state.h"
-#include "radiosity/base/csv_table.h"
 #include "raster/base/input_error.h"
 #include "web/bindings/values.h"
 
@@ -68,10 +68,10 @@ class SolutionHandle {
                     {"residual", now.residual},
                     {"ambient", web::toJson(now.ambient)},
                     {"energy",
-                     {{"emitted", web::toJson(now.energy.emitted)},
-                      {"absorbed", web::toJson(now.energy.absorbed)},
-                      {"unshot", web::toJson(now.energy.unshot)},
-                      {"lost", web::toJson(now.energy.lost)}}},
+                     {{"emitted", now.energy.emitted},
+                      {"absorbed", now.energy.absorbed},
+                      {"unshot", now.energy.unshot},
+                      {"lost", now.energy.lost}}},
                     {"milliseconds", milliseconds_}});
   }
 

@@ -26,13 +26,11 @@ TEST_CASE("writeBandTextures adds a channel per band to the colours of each text
   const Discretization discretization = discretize(scene, {.texels = 2});
   const TextureLayout layout = layOutTextures(scene, discretization, {1});
   const std::size_t elements = discretization.elements.size();
-  BandSolution bands{{400, 450, 500, 650.5}, std::vector<Solution>(2)};
-  for (Solution& group : bands.groups) group.radiosity.assign(elements, glm::dvec3(1));
-  std::vector<glm::dvec3> colours;
-  for (std::size_t e = 0; e < elements; ++e) colours.emplace_back(e, 0.5, -1);
+  Solution solution{.radiosity = {}, .radiosityInBands = BandTable(elements, 4)};
+  for (std::size_t e = 0; e < elements; ++e) solution.radiosity.emplace_back(e, 0.5, -1);
   const TemporaryFolder folder;
-  writeBandTextures(folder.path, discretization, layout, bands, colours);
-  const std::vector<Image> expected = radiosityTextures(discretization, layout, colours);
+  writeBandTextures(folder.path, discretization, layout, solution, {650.5, 500, 450, 400});
+  const std::vector<Image> expected = radiosityTextures(discretization, layout, solution.radiosity);
   for (std::size_t t = 0; t < layout.names.size(); ++t) {
     const std::filesystem::path file = folder.path / (layout.names[t] + ".exr");
     CHECK(readImage(file).pixels == expected[t].pixels);

@@ -39,19 +39,20 @@ TEST_CASE("elementTable has a row per element: its texel, centre, normal, area a
 }
 
 TEST_CASE("elementTable has a column per band behind the colour", "[elements]") {
-  const Scene scene = tests::closedCube(glm::dvec3(0.5), glm::dvec3(0));
+  Scene scene = tests::closedCube(glm::dvec3(0.5), glm::dvec3(0));
+  scene.wavelengths = {600, 500, 452.5, 400};
   const Discretization discretization = discretize(scene, {.texels = 1});
   const std::size_t elements = discretization.elements.size();
-  BandSolution bands{{400, 452.5, 500, 600}, {}};
-  for (int group = 0; group < 2; ++group) bands.groups.push_back(solutionOf(elements));
-  const Solution colours = solutionOf(elements);
-  const Table table = elementTable(scene, discretization, colours, &bands);
+  Solution colours = solutionOf(elements);
+  colours.radiosityInBands = BandTable(elements, 4);
+  for (std::size_t i = 0; i < 4 * elements; ++i) colours.radiosityInBands.values[i] = static_cast<double>(i);
+  const Table table = elementTable(scene, discretization, colours);
   REQUIRE(table.columns.size() == 17);
   CHECK(table.columns[14] == "b_452.5");
   for (std::size_t e = 0; e < elements; ++e) {
     const std::vector<Cell> row = table.row(e);
     REQUIRE(row.size() == 17);
     CHECK(row[12] == Cell(colours.radiosity[e].b));
-    for (std::size_t band = 0; band < 4; ++band) CHECK(row[13 + band] == Cell(radiosityIn(bands, band, e)));
+    for (std::size_t band = 0; band < 4; ++band) CHECK(row[13 + band] == Cell(colours.radiosityInBands[e][3 - band]));
   }
 }

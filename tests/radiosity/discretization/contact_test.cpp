@@ -9,6 +9,7 @@
 
 #include "data/generate/boxes.h"
 #include "radiosity/discretization/discretize.h"
+#include "radiosity/discretization/element_materials.h"
 #include "radiosity/form_factors/scene_form_factors.h"
 #include "radiosity/scene/load_scene.h"
 #include "radiosity/solver/progressive_solver.h"
@@ -182,7 +183,7 @@ TEST_CASE("discretize lets a lamp emit from its visible faces in every file form
     INFO(panel.name << (isOneGroup ? ", one group" : ""));
     forEachVariant(roomWith(panel, isOneGroup), [&](const Scene& scene, double unit) {
       for (const DiscretizationSettings& settings : {DiscretizationSettings{}, DiscretizationSettings{.texels = 5}})
-        CHECK(emittedFlux(scene, discretize(scene, settings)).r * unit * unit ==
+        CHECK(emittedFlux(scene, discretize(scene, settings))[0] * unit * unit ==
               Approx(strength * panel.visible).epsilon(1e-6));
     });
   }
@@ -197,11 +198,11 @@ TEST_CASE("discretize lets a sheet of two lights emit on both sides", "[contact]
   model.materials = {{"grey", glm::dvec3(0.5), glm::dvec3(0)}, {"light", glm::dvec3(0.25), glm::dvec3(strength)}};
   model.groups = {{"up", "light", {{{d, c, b, a}}}}, {"down", "light", {{{a, b, c, d}}}}};
   forEachVariant(model, [&](const Scene& scene, double unit) {
-    CHECK(emittedFlux(scene, discretize(scene, {.texels = 4})).r * unit * unit == Approx(2 * strength).epsilon(1e-6));
+    CHECK(emittedFlux(scene, discretize(scene, {.texels = 4}))[0] * unit * unit == Approx(2 * strength).epsilon(1e-6));
   });
   model.groups.push_back(data::boxGroup("pole", "grey", pole));
   forEachVariant(model, [&](const Scene& scene, double unit) {
-    CHECK(emittedFlux(scene, discretize(scene, {.texels = 4})).r * unit * unit ==
+    CHECK(emittedFlux(scene, discretize(scene, {.texels = 4}))[0] * unit * unit ==
           Approx((2 - 0.0625) * strength).epsilon(1e-6));
   });
 }
@@ -219,7 +220,7 @@ TEST_CASE("solve lets a room absorb the flux of a lamp in every file format, uni
                                        .discretization = discretization,
                                        .patches = discretization.patches,
                                        .rowOf = drawn.rowOf()});
-      CHECK(solution.energy.absorbed.r * unit * unit == Approx(strength * panel.visible).epsilon(2e-3));
+      CHECK(solution.energy.absorbed[0] * unit * unit == Approx(strength * panel.visible).epsilon(2e-3));
     });
   }
 }
@@ -234,8 +235,8 @@ TEST_CASE("contactTolerance follows the rounding of binary32 coordinates far fro
     const Scene asObj = loaded(model, far, false), asGltf = loaded(model, far, true);
     CHECK(contactTolerance(asObj) == 0x1p-21 * asObj.extent);
     CHECK(contactTolerance(asGltf) == 8 * 0x1p-15);
-    CHECK(emittedFlux(asObj, discretize(asObj, {})).r == Approx(strength * panel.visible).epsilon(1e-6));
+    CHECK(emittedFlux(asObj, discretize(asObj, {}))[0] == Approx(strength * panel.visible).epsilon(1e-6));
     // Half a unit in the last place, along edges of the lamp's visible faces.
-    CHECK(emittedFlux(asGltf, discretize(asGltf, {})).r == Approx(strength * panel.visible).epsilon(1e-3));
+    CHECK(emittedFlux(asGltf, discretize(asGltf, {}))[0] == Approx(strength * panel.visible).epsilon(1e-3));
   }
 }

@@ -67,13 +67,14 @@ TEST_CASE("received throws RankError with the exit code of the rank that failed"
 }
 
 TEST_CASE("UnshotTree::brightestPatches are those of a sorted list", "[ranks]") {
-  std::vector<glm::dvec3> flux(70000);
+  radiosity::BandTable flux(70000, 3);
   std::uint64_t state = 1;
-  for (glm::dvec3& value : flux) {
+  for (std::size_t i = 0; i < flux.size(); ++i) {
     state = state * 6364136223846793005U + 1442695040888963407U;
-    value = glm::dvec3(static_cast<double>(state >> 40) - 8e6, 0, 1);  // some are equal
+    flux[i][0] = static_cast<double>(state >> 40) - 8e6;  // some are equal
+    flux[i][2] = 1;
   }
-  const auto size = [&](std::uint32_t patch) { return std::abs(flux[patch].x) + 1; };
+  const auto size = [&](std::uint32_t patch) { return std::abs(flux[patch][0]) + 1; };
   std::vector<std::uint32_t> sorted(flux.size());
   for (std::uint32_t i = 0; i < sorted.size(); ++i) sorted[i] = i;
   std::stable_sort(sorted.begin(), sorted.end(), [&](auto a, auto b) { return size(a) > size(b); });

@@ -25,8 +25,8 @@ Scene sheets(double distance) {
 
 Energy lost(double share) {
   Energy energy;
-  energy.emitted = glm::dvec3(10);
-  energy.lost = glm::dvec3(10 * share);
+  energy.emitted = Bands(3, 10);
+  energy.lost = Bands(3, 10 * share);
   return energy;
 }
 
@@ -53,6 +53,6 @@ TEST_CASE("lossWarning is silent if surfaces or backs receive more than 1 % of t
   CHECK_FALSE(lossWarning(sheets(1e9), lost(0.98)));
   CHECK_FALSE(lossWarning(sheets(1e9), Energy{}));
   Energy toBacks = lost(1);
-  toBacks.lostToBacks = glm::dvec3(1);
+  toBacks.lostToBacks = Bands(3, 1);
   CHECK_FALSE(lossWarning(sheets(1e9), toBacks));
 }

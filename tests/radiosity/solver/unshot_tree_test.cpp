@@ -5,29 +5,31 @@
 #include <catch2/catch.hpp>
 #include <random>
 
-#include "radiosity/scene/scene.h"
-
 using namespace hemitex::radiosity;
 
 namespace {
 
-std::vector<glm::dvec3> randomFlux(std::size_t count, std::mt19937& random) {
+BandTable randomFlux(std::size_t count, std::mt19937& random, std::size_t bands = 3) {
   std::uniform_int_distribution<int> some(-3, 3);
-  std::vector<glm::dvec3> flux(count);
-  for (glm::dvec3& f : flux) f = {some(random), some(random), some(random)};
+  BandTable flux(count, bands);
+  for (double& value : flux.values) value = some(random);
   return flux;
 }
 
+void add(UnshotTree& unshot, std::uint32_t patch, std::span<const double> flux) { addTo(unshot.ofPatch(patch), flux); }
+void clear(UnshotTree& unshot, std::uint32_t patch) { std::ranges::fill(unshot.ofPatch(patch), 0); }
+
 /// Small integers: their sums are exact in any order, and many are equal.
 void checkAgainstAll(const UnshotTree& unshot) {
-  glm::dvec3 sizes(0);
+  const BandTable& flux = unshot.flux();
+  Bands sizes(flux.bands == 3 ? 3 : 1);
   std::uint32_t brightest = 0;
-  for (std::uint32_t patch = 0; patch < unshot.flux().size(); ++patch) {
-    sizes += glm::abs(unshot.flux()[patch]);
-    if (bandSum(glm::abs(unshot.flux()[patch])) > bandSum(glm::abs(unshot.flux()[brightest]))) brightest = patch;
+  for (std::uint32_t patch = 0; patch < flux.size(); ++patch) {
+    for (std::size_t band = 0; band < flux.bands; ++band) sizes[band % sizes.size()] += std::abs(flux[patch][band]);
+    if (sizeSum(flux[patch]) > sizeSum(flux[brightest])) brightest = patch;
   }
   CHECK(unshot.brightest() == brightest);
-  CHECK(unshot.sizes() == sizes);
+  CHECK(std::ranges::equal(unshot.sizes(), sizes));
 }
 
 }  // namespace
@@ -37,16 +39,18 @@ TEST_CASE("UnshotTree gives the brightest patch and the sum of sizes of all patc
   std::mt19937 random(5);
   for (const std::size_t count : {1, 2, 63, 64, 65, 4096, 4097, 10000}) {
     INFO(count << " patches");
-    UnshotTree unshot(randomFlux(count, random));
+    const std::size_t bands = count % 2 == 0 ? 3 : 7;
+    UnshotTree unshot(randomFlux(count, random, bands));
     checkAgainstAll(unshot);
     for (int round = 0; round < 10; ++round) {
       std::vector<std::uint32_t> blocks;
-      for (const glm::dvec3& more : randomFlux(20, random)) {
+      const BandTable more = randomFlux(20, random, bands);
+      for (std::size_t i = 0; i < more.size(); ++i) {
         const auto patch = static_cast<std::uint32_t>(random() % count);
-        unshot.add(patch, more);
+        add(unshot, patch, more[i]);
         blocks.push_back(patch / UnshotTree::patchesInBlock);
       }
-      unshot.clear(unshot.brightest());
+      clear(unshot, unshot.brightest());
       blocks.push_back(unshot.brightest() / UnshotTree::patchesInBlock);
       unshot.update(blocks);
       checkAgainstAll(unshot);
@@ -57,8 +61,8 @@ TEST_CASE("UnshotTree gives the brightest patch and the sum of sizes of all patc
 TEST_CASE("UnshotTree::brightestPatches lists patches with flux as a sort by size and number does", "[refinement]") {
   std::mt19937 random(11);
   for (const std::size_t patches : {1, 64, 65, 5000}) {
-    const std::vector<glm::dvec3> flux = randomFlux(patches, random);
-    const auto size = [&](std::uint32_t patch) { return bandSum(glm::abs(flux[patch])); };
+    const BandTable flux = randomFlux(patches, random);
+    const auto size = [&](std::uint32_t patch) { return sizeSum(flux[patch]); };
     std::vector<std::uint32_t> sorted;
     for (std::uint32_t patch = 0; patch < patches; ++patch)
       if (size(patch) > 0) sorted.push_back(patch);
@@ -81,9 +85,9 @@ TEST_CASE("UnshotTree::grow appends patches without flux, and keeps all others",
       CHECK(unshot.flux().size() == larger);
       // The flux of a patch goes on to a new one, as where a patch is split.
       const auto last = static_cast<std::uint32_t>(larger - 1), former = unshot.brightest();
-      const glm::dvec3 flux = unshot.flux()[former];
-      unshot.clear(former);
-      unshot.add(last, flux);
+      const Bands flux(unshot.flux()[former].begin(), unshot.flux()[former].end());
+      clear(unshot, former);
+      add(unshot, last, flux);
       const std::vector<std::uint32_t> blocks{former / UnshotTree::patchesInBlock, last / UnshotTree::patchesInBlock};
       unshot.update(blocks);
       checkAgainstAll(unshot);
@@ -91,30 +95,35 @@ TEST_CASE("UnshotTree::grow appends patches without flux, and keeps all others",
 }
 
 TEST_CASE("UnshotTree::grow needs an update only of blocks that change", "[refinement]") {
-  UnshotTree unshot({{1, 0, 0}, {0, 5, 0}});
+  BandTable flux(2, 3);
+  flux.values = {1, 0, 0, 0, 5, 0};
+  UnshotTree unshot(flux);
   unshot.grow(65);
   CHECK(unshot.brightest() == 1);
-  CHECK(unshot.sizes() == glm::dvec3(1, 5, 0));
+  CHECK(std::ranges::equal(unshot.sizes(), Bands{1, 5, 0}));
 }
 
 TEST_CASE("UnshotTree gives the sums of a new tree, to the last bit", "[refinement]") {
   std::mt19937 random(6);
   std::uniform_real_distribution<double> some(-1, 1);
-  std::vector<glm::dvec3> flux(5000);
-  for (glm::dvec3& f : flux) f = {some(random), some(random), some(random)};
+  BandTable flux(5000, 3);
+  for (double& value : flux.values) value = some(random);
   UnshotTree unshot(flux);
   for (int round = 0; round < 100; ++round) {
     const auto patch = static_cast<std::uint32_t>(random() % flux.size());
     const std::uint32_t block = patch / UnshotTree::patchesInBlock;
-    unshot.add(patch, {some(random), 1e-9 * some(random), 1e9});
+    add(unshot, patch, Bands{some(random), 1e-9 * some(random), 1e9});
     unshot.update({&block, 1});
   }
-  CHECK(unshot.sizes() == UnshotTree(unshot.flux()).sizes());
+  const UnshotTree anew(unshot.flux());
+  CHECK(std::ranges::equal(unshot.sizes(), anew.sizes()));
 }
 
 TEST_CASE("UnshotTree::update visits 64 patches and 64 nodes per level for one change", "[refinement]") {
-  UnshotTree unshot(std::vector<glm::dvec3>(1 << 18, glm::dvec3(1)));
-  unshot.add(77777, glm::dvec3(1));
+  BandTable flux(1 << 18, 3);
+  std::ranges::fill(flux.values, 1);
+  UnshotTree unshot(flux);
+  add(unshot, 77777, Bands{1, 1, 1});
   const std::vector<std::uint32_t> blocks(3, 77777 / 64);
   CHECK(unshot.update(blocks) == 3 * 64);
   CHECK(unshot.brightest() == 77777);
