@@ -173,15 +173,18 @@ std::vector<std::string> textsOf(const std::vector<radiosity::SolutionWarning>& 
 
 py::dict aboutSolution(const Solved& solved) {
   const radiosity::Energy& energy = solved.solution->energy;
+  const bool areWavelengths = !solved.elements->scene->wavelengths.empty();
+  const auto listed = [areWavelengths](radiosity::Bands flux) {
+    if (areWavelengths) std::ranges::reverse(flux);
+    return py::tuple(py::cast(flux));
+  };
   py::dict about("shots"_a = solved.solution->shots, "residual"_a = solved.solution->residual,
                  "interrupted"_a = solved.solution->isInterrupted, "warnings"_a = textsOf(solved.solution->warnings),
                  "ambient"_a = toTuple(solved.solution->ambient),
                  "patches"_a = solved.elements->discretization.patches.list.size(),
-                 "energy"_a = py::dict("emitted"_a = py::tuple(py::cast(energy.emitted)),
-                                       "absorbed"_a = py::tuple(py::cast(energy.absorbed)),
-                                       "unshot"_a = py::tuple(py::cast(energy.unshot)),
-                                       "lost"_a = py::tuple(py::cast(energy.lost)),
-                                       "lost_to_backs"_a = py::tuple(py::cast(energy.lostToBacks))));
+                 "energy"_a = py::dict("emitted"_a = listed(energy.emitted), "absorbed"_a = listed(energy.absorbed),
+                                       "unshot"_a = listed(energy.unshot), "lost"_a = listed(energy.lost),
+                                       "lost_to_backs"_a = listed(energy.lostToBacks)));
   about["expected_error"] =
       solved.expectedErrors ? py::object(py::float_(solved.expectedErrors->larger())) : py::object(py::none());
   return about;
@@ -189,6 +192,8 @@ py::dict aboutSolution(const Solved& solved) {
 
 py::dict sensitivityOf(const Solved& solved, const py::object& weights, py::object progress) {
   const SharedElements elements = solved.elements;
+  if (!elements->scene->wavelengths.empty())
+    throw InputError("sensitivities are those of red, green and blue", "solve the scene without in_bands");
   const auto count = static_cast<py::ssize_t>(elements->discretization.elements.size());
   const std::vector<glm::dvec3> ofElements = vectorsOf(numbers(weights, "weights", {count, 3}));
   Progress told(std::move(progress));
@@ -237,6 +242,15 @@ void addLight(py::module_& module) {
   module.def("elements_of", [](const Solved& solved) { return std::const_pointer_cast<Elements>(solved.elements); });
   module.def("radiosity", [](const Solved& solved) {
     return sharedArray(std::shared_ptr<const std::vector<glm::dvec3>>(solved.solution, &solved.solution->radiosity));
+  });
+  // By ascending wavelengths; without wavelengths none.
+  module.def("radiosity_in_bands", [](const Solved& solved) {
+    const radiosity::BandTable& table = solved.solution->radiosityInBands;
+    std::vector<double> values = table.values;
+    for (std::size_t e = 0; e < table.size(); ++e)
+      std::reverse(values.begin() + static_cast<std::ptrdiff_t>(e * table.bands),
+                   values.begin() + static_cast<std::ptrdiff_t>((e + 1) * table.bands));
+    return toArray(std::move(values), {static_cast<py::ssize_t>(table.size()), static_cast<py::ssize_t>(table.bands)});
   });
   py::class_<Threads>(module, "Threads").def(py::init([](const py::object& threads) {
     return new Threads(static_cast<int>(integerOf(threads, "threads", 0, 1 << 16)));

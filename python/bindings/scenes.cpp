@@ -9,6 +9,7 @@
 
 #include "python/bindings/arrays.h"
 #include "python/bindings/settings.h"
+#include "radiosity/bands/spectral_scene.h"
 #include "radiosity/discretization/discretize.h"
 #include "radiosity/discretization/patch_points.h"
 #include "radiosity/meshes/polygon_mesh.h"
@@ -157,6 +158,31 @@ PythonScene litFromOutside(const PythonScene& former, const py::object& sky, con
   return {std::make_shared<const Scene>(std::move(scene)), former.facets, former.removed};
 }
 
+/// The scene in bands. `spectra` has a dictionary for each material, with lists named `reflectance` and `emission`.
+PythonScene inBands(const PythonScene& former, const py::object& wavelengths, const py::dict& spectra) {
+  const auto listOf = [](const Array<double>& array) {
+    return std::vector<double>(array.values.begin(), array.values.end());
+  };
+  radiosity::SpectralBands bands{listOf(numbers(wavelengths, "wavelengths", {-1})), {}};
+  const auto count = static_cast<py::ssize_t>(bands.wavelengths.size());
+  for (const auto& [name, quantities] : spectra) {
+    radiosity::MaterialSpectra& found = bands.materials[textOf(name, "name")];
+    if (!py::isinstance<py::dict>(quantities)) throw InputError("`spectra` has no dictionary for each material");
+    for (const auto& [key, values] : quantities.cast<py::dict>()) {
+      const std::string quantity = textOf(key, "quantity");
+      if (quantity != "reflectance" && quantity != "emission")
+        throw InputError("`" + raster::excerpt(quantity) + "` is no quantity",
+                         "the quantities are reflectance and emission");
+      (quantity == "reflectance" ? found.reflectance : found.emission) =
+          radiosity::Spectrum{bands.wavelengths, listOf(numbers(values, quantity, {count}))};
+    }
+  }
+  requireValid(bands, *former.scene);
+  constexpr double maxReflectance = radiosity::SceneSettings().maxReflectance;
+  return {std::make_shared<const Scene>(radiosity::inBands(*former.scene, bands, maxReflectance)), former.facets,
+          former.removed};
+}
+
 py::dict cameraDict(const radiosity::Camera& camera) {
   using namespace py::literals;
   return py::dict("eye"_a = toTuple(camera.eye), "look_at"_a = toTuple(camera.lookAt), "up"_a = toTuple(camera.up),
@@ -189,6 +215,7 @@ py::dict aboutScene(const PythonScene& scene) {
       "names"_a = names, "families"_a = families, "materials"_a = materials, "files"_a = files,
       "warnings"_a = py::cast(of.warnings), "origin"_a = toTuple(of.origin), "extent"_a = of.extent,
       "faces"_a = of.faces, "sky"_a = toTuple(of.outside.sky),
+      "wavelengths"_a = py::cast(std::vector<double>(of.wavelengths.rbegin(), of.wavelengths.rend())),
       "area"_a = ofSurfaces(of, [](const Surface& surface) { return radiosity::area(surface); }),
       "reflectance"_a = ofSurfaces(of, [&](const Surface& surface) { return materialOf(of, surface).reflectance; }),
       "emission"_a = ofSurfaces(of, [&](const Surface& surface) { return materialOf(of, surface).emission; }),
@@ -316,6 +343,7 @@ void addScenes(py::module_& module) {
   module.def("scene_from_arrays", &sceneFromArrays);
   module.def("edit_scene", &editedScene);
   module.def("light_from_outside", &litFromOutside);
+  module.def("in_bands", &inBands);
   module.def("about_scene", &aboutScene);
   module.def("triangles", &trianglesOf);
   module.def("default_camera", [](const PythonScene& scene) {

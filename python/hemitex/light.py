@@ -38,7 +38,10 @@ class Solution:
         """What the edit took that gave this solution; None for one of `solve`."""
         self.elements = Elements(_core.elements_of(self._core))
         self.radiosity: Floats = _core.radiosity(self._core)
-        """(elements, 3), W/m^2 per band; read-only, in the memory of the solution."""
+        """(elements, 3), W/m^2 per band; read-only, in the memory of the solution. Of a scene with wavelengths the
+        colour, in linear sRGB."""
+        self.bands: Floats = _core.radiosity_in_bands(self._core)
+        """(elements, wavelengths), W/m^2 per band of a scene with wavelengths; empty of other scenes."""
         about: dict[str, Any] = _core.about_solution(self._core)
         self.residual: float = about["residual"]
         """Flux that was not shot yet over emitted flux."""
@@ -47,7 +50,7 @@ class Solution:
         """The number of patches, as split."""
         self.is_interrupted: bool = about["interrupted"]
         """Whether the progress callback ended it before a limit was reached."""
-        self.energy: dict[str, tuple[float, float, float]] = about["energy"]
+        self.energy: dict[str, tuple[float, ...]] = about["energy"]
         """Where the flux went, in W per band: emitted = absorbed + unshot + lost."""
         self.expected_error: float | None = about["expected_error"]
         """With max_error: the expected share of the flux that is in the wrong place."""

@@ -142,6 +142,20 @@ class Scene:
         """The scene with another sky and other suns (see `from_arrays`)."""
         return Scene(_core.light_from_outside(self._core, sky, list(suns)))
 
+    @property
+    def wavelengths(self) -> list[float]:
+        """The bands in nm, ascending; empty where they are red, green and blue."""
+        return self._about["wavelengths"]
+
+    def in_bands(self,
+                 wavelengths: npt.ArrayLike,
+                 spectra: Mapping[str, Mapping[str, npt.ArrayLike]] | None = None) -> Scene:
+        """The scene in bands of wavelengths, in nm, ascending.
+
+        `spectra` gives materials, by their names, `reflectance` below 1 and `emission` in W/m^2, each with one value
+        per wavelength. The colours of other materials and of light from outside stand for thirds of the bands."""
+        return Scene(_core.in_bands(self._core, wavelengths, {name: dict(of) for name, of in (spectra or {}).items()}))
+
     def __repr__(self) -> str:
         return f"<hemitex.Scene of {len(self._about['names'])} surfaces, {self.extent:.4g} units across>"
 

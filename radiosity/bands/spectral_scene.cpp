@@ -1,13 +1,17 @@
 #include "radiosity/bands/spectral_scene.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <optional>
+#include <set>
 #include <utility>
 
+#include "radiosity/base/name_suggestions.h"
 #include "radiosity/scene/mtl_file.h"
 #include "radiosity/spectra/colour.h"
 #include "raster/base/file_io.h"
+#include "raster/base/input_error.h"
 
 namespace hemitex::radiosity {
 namespace {
@@ -50,6 +54,28 @@ std::map<std::string, MaterialSpectra> spectraOfFiles(const Scene& scene, const 
     }
   }
   return found;
+}
+
+void requireValid(const SpectralBands& bands, const Scene& scene) {
+  for (std::size_t i = 0; i < bands.wavelengths.size(); ++i)
+    if (!(bands.wavelengths[i] > (i == 0 ? 0 : bands.wavelengths[i - 1])))
+      throw raster::InputError("the wavelengths do not ascend from above 0", "give them in nm");
+  if (bands.wavelengths.empty()) throw raster::InputError("there is no wavelength");
+  std::set<std::string> names;
+  for (const Material& material : scene.materials) names.insert(material.name);
+  const auto areIn = [](const std::optional<Spectrum>& spectrum, double largest) {
+    return !spectrum || std::ranges::all_of(spectrum->values, [&](double v) { return v >= 0 && v <= largest; });
+  };
+  for (const auto& [name, spectra] : bands.materials) {
+    const std::string owner = "of `" + raster::excerpt(name) + "`";
+    if (!names.contains(name))
+      throw raster::InputError("the scene has no material `" + raster::excerpt(name) + "`",
+                               "similar names: " + nearestNames(names, name));
+    if (!areIn(spectra.reflectance, std::nextafter(1.0, 0.0)))
+      throw raster::InputError("a reflectance " + owner + " is below 0, or 1 or more");
+    if (!areIn(spectra.emission, largestEmission))
+      throw raster::InputError("an emission " + owner + " is below 0 or above 1e30");
+  }
 }
 
 Scene inBands(Scene scene, const SpectralBands& bands, double maxReflectance) {

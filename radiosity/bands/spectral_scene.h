@@ -26,6 +26,10 @@ struct SpectralBands {
 /// reflectances of 1 or more are lowered, as `settings` say. Throws InputError as readSpectrum.
 std::map<std::string, MaterialSpectra> spectraOfFiles(const Scene& scene, const SceneSettings& settings);
 
+/// Throws InputError if wavelengths do not ascend from above 0, if the scene has no material of a name, or for a
+/// reflectance or an emission out of range. Messages name neither files nor lines.
+void requireValid(const SpectralBands& bands, const Scene& scene);
+
 /// The scene in bands. Materials with spectra get their colours, for pictures: negative channels are 0, and a
 /// reflectance is at most `maxReflectance`. Warns of materials of surfaces that have only colours.
 Scene inBands(Scene scene, const SpectralBands& bands, double maxReflectance);

@@ -108,6 +108,35 @@ def test_solve_with_light_from_outside_equals_hemitex_solve(tmp_path: Path) -> N
     assert np.array_equal(solution.radiosity, elements_of(tmp_path)["radiosity"])
 
 
+def test_solve_in_bands_equals_hemitex_solve(tmp_path: Path) -> None:
+    white = [0.7, 0.72, 0.5, 0.75]
+    (tmp_path / "bands.json").write_text(json.dumps({
+        "wavelengths": [450, 500, 550, 650],
+        "materials": {"white": {"reflectance": white}, "light": {"emission": [3, 5, 11, 21]}}}))
+    scene = hx.load_scene(ROOM).in_bands([450, 500, 550, 650],
+                                         {"white": {"reflectance": white}, "light": {"emission": [3, 5, 11, 21]}})
+    assert scene.wavelengths == [450, 500, 550, 650]
+    solution = hx.solve(hx.discretize(scene, texels=4), residual=0.01)
+    run("solve", ROOM, "--texels", 4, "--residual", 0.01, "--bands", tmp_path / "bands.json", "-o", tmp_path / "lit")
+    with open(tmp_path / "lit" / "elements.csv", newline="") as file:
+        rows = list(csv.DictReader(file))
+    for band, name in enumerate(("b_450", "b_500", "b_550", "b_650")):
+        assert np.array_equal(solution.bands[:, band], [float(row[name]) for row in rows])
+    assert np.array_equal(solution.radiosity, elements_of(tmp_path / "lit")["radiosity"])
+    energy = json.loads((tmp_path / "lit" / "solution.json").read_text())["energy"]
+    assert list(solution.energy["absorbed"]) == energy["absorbed"]
+    for wavelengths, spectra, message in (([500, 450], {}, "ascend"), ([], {}, "no wavelength"),
+                                          ([450], {"whte": {}}, "no material `whte`"),
+                                          ([450], {"white": {"reflectance": [1]}}, "or 1 or more"),
+                                          ([450], {"white": {"reflectance": [0.5, 0.5]}}, "reflectance"),
+                                          ([450], {"white": {"emission": [-1]}}, "below 0"),
+                                          ([450], {"white": {"colour": [1]}}, "is no quantity")):
+        with pytest.raises(hx.InputError, match=message):
+            scene.in_bands(wavelengths, spectra)
+    with pytest.raises(hx.InputError, match="red, green and blue"):
+        hx.sensitivity(solution, "floor")
+
+
 def test_edit_equals_hemitex_solve_with_edits(tmp_path: Path) -> None:
     (tmp_path / "edits.json").write_text(
         '{"frames": [[{"move": "short-block", "by": [40, 0, -80]}], [{"remove": "tall-block"}]]}')
