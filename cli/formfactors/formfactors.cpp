@@ -18,11 +18,11 @@
 #include "cli/common/table.h"
 #include "cli/formfactors/facet_values.h"
 #include "cli/formfactors/row_file.h"
-#include "cli/formfactors/symmetry_options.h"
 #include "cli/scene/facet_file.h"
 #include "cli/scene/scene_hash.h"
 #include "cli/scene/scene_options.h"
 #include "cli/scene/source_names.h"
+#include "cli/scene/symmetry_options.h"
 #include "radiosity/ranks/shared_tasks.h"
 #include "radiosity/scene/load_scene.h"
 #include "radiosity/scene/surface_names.h"
@@ -56,7 +56,6 @@ struct FormFactorOptions {
   bool smooth = false;
   bool facets = false;
   std::optional<double> maxError;
-  radiosity::Symmetry symmetry;
   std::filesystem::path output;  ///< empty: standard output
   std::filesystem::path vtu;     ///< of the facets; empty: none
   std::vector<int> vtuRows;      ///< facets whose rows are in that file
@@ -69,8 +68,7 @@ const std::string blockersIgnored = "blockers are not looked at";
 
 RowMethod methodOf(const FormFactorOptions& options, const radiosity::Scene& scene,
                    const radiosity::Discretization& discretization, const RowReceivers& receivers, Context& context) {
-  if (options.maxError)
-    return reference::facetMethod(scene, discretization, receivers, *options.maxError, context.ranks ? 1 : 256);
+  if (options.maxError) return reference::facetMethod(scene, receivers, *options.maxError, context.ranks ? 1 : 256);
   if (options.method == "rays") return reference::rayMethod(scene, discretization, receivers, options.rays);
   if (options.method == "analytic") return reference::analyticMethod(scene, discretization, receivers);
   return reference::drawnMethod(scene, discretization, receivers, layoutOf(options.id, discretization),
@@ -94,7 +92,8 @@ nlohmann::ordered_json methodSettings(const FormFactorOptions& options) {
 /// The settings that the JSON output repeats.
 nlohmann::ordered_json settingsOf(const FormFactorOptions& options) {
   nlohmann::ordered_json settings = methodSettings(options);
-  if (!options.symmetry.isNone()) settings["symmetry"] = toJson(options.symmetry);
+  if (const auto& symmetry = options.scene.settings.symmetry; !symmetry.isNone())
+    settings["symmetry"] = toJson(symmetry);
   return settings;
 }
 
@@ -138,7 +137,7 @@ void printRow(const FormFactorOptions& options, Context& context, const radiosit
               const radiosity::Discretization& discretization) {
   const reference::Source source = sourceNamed(scene, discretization, options.from);
   const Families families = radiosity::familiesOf(scene);
-  const RowReceivers receivers = options.bySurface ? reference::familiesAsReceivers(scene, discretization, families)
+  const RowReceivers receivers = options.bySurface ? reference::familiesAsReceivers(discretization, families)
                                                    : reference::elementsAsReceivers(discretization);
   const RowMethod method = methodOf(options, scene, discretization, receivers, context);
   std::vector<SparseRow> rows{method.row(source)};
@@ -368,7 +367,7 @@ std::string descriptionOf(const std::filesystem::path& matrix) {
 void writeMatrix(const FormFactorOptions& options, Context& context, const radiosity::Scene& scene,
                  const radiosity::Discretization& discretization) {
   const Families families = options.scene.settings.facets ? radiosity::facetsOf(scene) : radiosity::familiesOf(scene);
-  const RowReceivers receivers = reference::familiesAsReceivers(scene, discretization, families);
+  const RowReceivers receivers = reference::familiesAsReceivers(discretization, families);
   const std::string description = descriptionOf(options.output);
   // These refuse a wrong facet or file before there is a file of rows.
   FacetValues values(families.names.size(), options.vtuRows);
@@ -402,7 +401,7 @@ void writeMatrix(const FormFactorOptions& options, Context& context, const radio
 void printMatrix(const FormFactorOptions& options, Context& context, const radiosity::Scene& scene,
                  const radiosity::Discretization& discretization) {
   const Families families = radiosity::familiesOf(scene);
-  const RowReceivers receivers = reference::familiesAsReceivers(scene, discretization, families);
+  const RowReceivers receivers = reference::familiesAsReceivers(discretization, families);
   const std::unique_ptr<RowFile> file = rowFileOf(options, context, scene);
   const RowMethod method = methodOf(options, scene, discretization, receivers, context);
   std::vector<SparseRow> matrix;
@@ -443,8 +442,7 @@ void printMatrix(const FormFactorOptions& options, Context& context, const radio
 }
 
 void print(const FormFactorOptions& options, Context& context) {
-  radiosity::Scene scene = sceneOf(options.scene, context.console);
-  radiosity::addImages(scene, options.symmetry);
+  const radiosity::Scene scene = sceneOf(options.scene, context.console);
   const radiosity::Discretization discretization = discretizationOf(options.discretization, scene);
   (isSparse(options) ? writeMatrix : options.all ? printMatrix : printRow)(options, context, scene, discretization);
 }
@@ -527,7 +525,6 @@ void addFormFactors(Command program, Context& context) {
       "receivers");
   addDiscretizationOptions(command, options->discretization);
   addIdOptions(command, options->id);
-  addSymmetryOptions(command, options->symmetry);
   addSceneOptions(command, options->scene);
   for (const char* chosen : {"--resolution", "--orientation", "--split", "--pixels-per-element", "--discretize",
                              "--method", "--samples", "--texels", "--texel-size", "--surface"})
@@ -542,8 +539,6 @@ void addFormFactors(Command program, Context& context) {
       usageError("--from", "is required; or print the matrix with --all --by-surface");
     if (options->all && !options->bySurface) requireMatrixFile(*options);
     completeFacets(*options, command);
-    if (!options->symmetry.isNone() && !options->all && !options->bySurface)
-      usageError("--mirror", "and --periodic sum over the images of a surface; add --by-surface or --all");
     if (options->maxError && !(isSparse(*options) && options->scene.settings.facets))
       usageError("--max-error", "bounds the rows of a matrix of facets; add --all --facets -o FILE.npz");
     if (!options->vtu.empty() && !(isSparse(*options) && options->scene.settings.facets))

@@ -9,6 +9,7 @@
 #include "cli/common/table.h"
 #include "cli/scene/facet_file.h"
 #include "cli/scene/scene_options.h"
+#include "cli/scene/symmetry_options.h"
 #include "radiosity/discretization/discretize.h"
 #include "radiosity/scene/load_scene.h"
 #include "radiosity/scene/mesh_sections.h"
@@ -132,7 +133,7 @@ void compare(const MatrixOptions& options, Context& context) {
           file->string(), 0,
           "has " + std::to_string(matrix->rows()) + " rows, and the mesh has " + std::to_string(facets) + " facets",
           "give matrices of this mesh");
-  const std::vector<double> area = reference::familiesAsReceivers(mesh.scene, mesh.discretization, mesh.facets).area;
+  const std::vector<double> area = reference::familiesAsReceivers(mesh.discretization, mesh.facets).area;
   const Differences found = differencesOf(a, b, area);
   double all = 0, apart = 0;
   for (std::size_t f = 0; f < facets; ++f) {
@@ -159,6 +160,7 @@ void compare(const MatrixOptions& options, Context& context) {
 void addMesh(Command command, MatrixOptions& options) {
   command.addPath("MESH", options.mesh.file, "mesh: STL, OBJ, PLY, VTK, View3D or glTF; each face is a facet")
       .required();
+  addSymmetryOptions(command, options.mesh.settings.symmetry);
 }
 
 }  // namespace

@@ -49,6 +49,11 @@ std::string hashOf(const radiosity::Scene& scene) {
       light.add(reflectanceInBands(scene, material), emissionInBands(scene, material));
   }
   extend(light);
+  if (scene.instances.size() > 1) {
+    Bytes instances;
+    for (const radiosity::Instance& instance : scene.instances) instances.add(instance.sign, instance.shift);
+    extend(instances);
+  }
   for (const radiosity::Image& image : scene.images) {
     Bytes bytes;
     bytes.add(image.width, image.height);

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "cli/common/json.h"
+#include "cli/scene/symmetry_options.h"
 #include "radiosity/discretization/discretize.h"
 #include "radiosity/scene/load_scene.h"
 #include "radiosity/scene/surface_names.h"
@@ -115,6 +116,7 @@ void addSceneOptions(Command command, SceneOptions& options) {
   addChoice(command, "--emission", options.settings.emission, emissionChoices,
             "unit of Ke, --emit and --lights: radiosity in W/m^2, or radiance in W/(m^2 sr) (default radiosity)");
   addCellOptions(command, options.settings);
+  addSymmetryOptions(command, options.settings.symmetry);
   addMaterialOptions(command, options.materials);
 }
 
@@ -126,6 +128,7 @@ ordered_json toJson(const radiosity::SceneSettings& settings) {
                     {"one_sided", settings.sides == radiosity::Sides::One},
                     {"emission", nameOf(emissionChoices, settings.emission)}};
   if (settings.facets) text["facets"] = true;
+  if (!settings.symmetry.isNone()) text["symmetry"] = toJson(settings.symmetry);
   if (!settings.cellReflectance.empty()) text["cell_reflectance"] = settings.cellReflectance;
   if (!settings.cellEmission.empty()) text["cell_emission"] = settings.cellEmission;
   return text;

@@ -63,7 +63,7 @@ radiosity::RowSource matrixRows(const std::filesystem::path& file, const radiosi
 
 BoundedRows::BoundedRows(const radiosity::Scene& scene, const radiosity::Discretization& discretization,
                          double maxError)
-    : discretization_(discretization), factors_(scene, discretization, {maxError}), errors_(scene.surfaces.size()) {}
+    : discretization_(discretization), factors_(scene, {maxError}), errors_(scene.surfaces.size()) {}
 
 radiosity::FormFactorRow BoundedRows::row(const radiosity::Patch& patch) {
   const auto known = ahead_.find(patch.surface);

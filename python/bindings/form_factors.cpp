@@ -56,8 +56,7 @@ reference::RowMethod methodOf(const Elements& elements, const RowReceivers& rece
   const std::string method = settings.text("method").value_or("hemicube");
   if (const auto maxError = settings.number("max_error", 1e-9, 1)) {
     if (!elements.facets) throw InputError("`max_error` is for facets", "load the scene with facets=True");
-    return unlocked(
-        [&] { return reference::facetMethod(*elements.scene, elements.discretization, receivers, *maxError, 64); });
+    return unlocked([&] { return reference::facetMethod(*elements.scene, receivers, *maxError, 64); });
   }
   if (method == "rays") {
     reference::RayOptions rays;
@@ -82,9 +81,8 @@ py::dict formFactorRow(const SharedElements& elements, const py::object& source,
   const Settings settings(given);
   const bool bySurface = settings.flag("by_surface").value_or(false);
   const radiosity::Families families = familiesOf(*elements);
-  const RowReceivers receivers =
-      bySurface ? reference::familiesAsReceivers(*elements->scene, elements->discretization, families)
-                : reference::elementsAsReceivers(elements->discretization);
+  const RowReceivers receivers = bySurface ? reference::familiesAsReceivers(elements->discretization, families)
+                                           : reference::elementsAsReceivers(elements->discretization);
   const reference::Source from = sourceOf(*elements, source);
   const reference::RowMethod method = methodOf(*elements, receivers, settings, makeRenderer);
   SparseRow row = unlocked([&] { return method.row(from); });
@@ -110,7 +108,7 @@ py::dict formFactorMatrix(const SharedElements& elements, const py::dict& given,
                           py::object progress) {
   const Settings settings(given);
   const radiosity::Families families = familiesOf(*elements);
-  const RowReceivers receivers = reference::familiesAsReceivers(*elements->scene, elements->discretization, families);
+  const RowReceivers receivers = reference::familiesAsReceivers(elements->discretization, families);
   const reference::RowMethod method = methodOf(*elements, receivers, settings, makeRenderer);
   const std::size_t count = families.names.size();
   reference::SparseMatrix matrix{.columns = count};

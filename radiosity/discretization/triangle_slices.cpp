@@ -134,18 +134,15 @@ bool isBefore(const Slice& a, const Slice& b) {
   return std::tie(a.from.x, a.from.y, a.to.x, a.to.y) < std::tie(b.from.x, b.from.y, b.to.x, b.to.y);
 }
 
-/// The slices of triangles by all other triangles of the scene.
+/// The slices of the triangles of the first instance by all other triangles in space.
 class Slicer {
  public:
   Slicer(const Scene& scene, const RayTree& tree)
-      : lift_(contactTolerance(scene)), tolerance_(outlineTolerance(scene)), tree_(tree) {
+      : scene_(scene), lift_(contactTolerance(scene)), tolerance_(outlineTolerance(scene)), tree_(tree) {
     for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s) {
       const Surface& surface = scene.surfaces[s];
       const std::uint32_t except = maySliceItself(surface) ? RayTree::noSurface : s;
-      for (const Triangle& triangle : surface.triangles) {
-        triangles_.push_back(&triangle);
-        owners_.push_back({&surface, except});
-      }
+      for (const Triangle& triangle : surface.triangles) owners_.push_back({&triangle, &surface, except});
     }
   }
 
@@ -161,16 +158,17 @@ class Slicer {
     bool isTouching = false;
   };
   Found slicesOf(std::uint32_t number) const {
-    const auto& [a, b, c] = triangles_[number]->position;
+    const auto& [a, b, c] = owners_[number].triangle->position;
     std::vector<std::uint32_t> others;
     tree_.appendNear(glm::min(glm::min(a, b), c) - tolerance_, glm::max(glm::max(a, b), c) + tolerance_, others,
                      owners_[number].except);
-    const WeightedTriangle plane(*triangles_[number], lift_, tolerance_);
+    const WeightedTriangle plane(*owners_[number].triangle, lift_, tolerance_);
     Found found;
     for (const std::uint32_t other : others) {
       if (other == number || areOfOnePart(number, other)) continue;
-      found.isTouching = found.isTouching || plane.isBackToBackWith(*triangles_[other]);
-      const std::optional<Slice> slice = sliceOf(*triangles_[other], plane);
+      const Triangle slicing = triangleAt(other);
+      found.isTouching = found.isTouching || plane.isBackToBackWith(slicing);
+      const std::optional<Slice> slice = sliceOf(slicing, plane);
       // Edges moved outwards meet far beyond an acute corner; a slice that only passes there is outside the triangle.
       if (!slice || !plane.clipped(*slice, roundingShare * tolerance_)) continue;
       const Slice part = *plane.clipped(*slice, tolerance_);
@@ -203,9 +201,15 @@ class Slicer {
 
  private:
   struct Owner {
+    const Triangle* triangle;
     const Surface* surface;
     std::uint32_t except;  ///< the number of the surface if it cannot slice itself
   };
+
+  /// A triangle in space.
+  Triangle triangleAt(std::uint32_t number) const {
+    return placed(*owners_[number % owners_.size()].triangle, scene_.instances[number / owners_.size()]);
+  }
 
   /// Triangles in one plane do not slice each other, and those of a curved part are left out.
   static bool maySliceItself(const Surface& surface) {
@@ -217,13 +221,14 @@ class Slicer {
 
   /// Where a curved part is hollow, its triangles slice each other near corners, but the part does not stand on itself.
   bool areOfOnePart(std::uint32_t number, std::uint32_t other) const {
+    if (other >= owners_.size()) return false;
     const Surface &one = *owners_[number].surface, &two = *owners_[other].surface;
     return one.curvedPart && one.curvedPart == two.curvedPart && one.family == two.family;
   }
 
+  const Scene& scene_;
   double lift_, tolerance_;
-  std::vector<const Triangle*> triangles_;
-  std::vector<Owner> owners_;  ///< of each triangle
+  std::vector<Owner> owners_;  ///< of each triangle of the first instance
   const RayTree& tree_;
 };
 

@@ -14,8 +14,9 @@ namespace {
 raster::DrawList drawsOfBacks(const Scene& scene) {
   raster::DrawList list;
   list.format = *raster::formatNamed("r32ui");
-  for (std::size_t s = 0; s < scene.surfaces.size(); ++s)
-    appendDraw(list, scene.surfaces[s].triangles, scene.origin).back = static_cast<raster::ItemId>(s + 1);
+  for (const Instance& instance : scene.instances)
+    for (std::size_t s = 0; s < scene.surfaces.size(); ++s)
+      appendDraw(list, scene.surfaces[s].triangles, instance, scene.origin).back = static_cast<raster::ItemId>(s + 1);
   return list;
 }
 

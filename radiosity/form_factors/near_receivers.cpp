@@ -29,7 +29,7 @@ std::vector<bool> smallElements(const Scene& scene, const std::vector<Element>& 
   for (std::uint32_t e = 0; e < elements.size(); ++e)
     if (elements[e].area <= limit) small.push_back(e);
   const std::size_t count =
-      std::min({small.size(), maxSmall, maxDrawn / std::max<std::size_t>(1, triangleCount(scene))});
+      std::min({small.size(), maxSmall, maxDrawn / std::max<std::size_t>(1, placedTriangleCount(scene))});
   std::nth_element(small.begin(), small.begin() + static_cast<std::ptrdiff_t>(count), small.end(),
                    [&](std::uint32_t a, std::uint32_t b) {
                      return std::tuple(elements[a].area, a) < std::tuple(elements[b].area, b);

@@ -15,6 +15,7 @@
 #include "radiosity/projection/parallel_view.h"
 #include "radiosity/projection/patch_view.h"
 #include "radiosity/scene/ray_tree.h"
+#include "raster/base/input_error.h"
 #include "raster/base/parallel.h"
 
 namespace hemitex::radiosity {
@@ -44,8 +45,7 @@ bool hasTwins(const Scene& scene) { return std::any_of(scene.surfaces.begin(), s
 bool isTwoSided(const Scene& scene) { return std::all_of(scene.surfaces.begin(), scene.surfaces.end(), hasTwin); }
 
 /// The corners of a triangle in an order that does not depend on the side.
-std::array<glm::dvec3, 3> sortedCorners(const Triangle& triangle) {
-  std::array<glm::dvec3, 3> corners = triangle.position;
+std::array<glm::dvec3, 3> sortedCorners(std::array<glm::dvec3, 3> corners) {
   std::sort(corners.begin(), corners.end(),
             [](const glm::dvec3& a, const glm::dvec3& b) { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z); });
   return corners;
@@ -59,7 +59,8 @@ bool isCovered(const Scene& scene, const RayTree& rays, const Triangle& triangle
   const auto isCoveredAt = [&](const glm::dvec3& point) {
     const auto hit = rays.firstHit(point + contactTolerance(scene) * n, -n);
     return hit && !hit->isFront && hit->distance <= 2 * contactTolerance(scene) &&
-           sortedCorners(scene.surfaces[hit->surface].triangles[hit->triangle]) != sortedCorners(triangle);
+           sortedCorners(placedCorners(scene, {hit->instance, hit->surface, hit->triangle})) !=
+               sortedCorners(triangle.position);
   };
   return isCoveredAt(middle) &&
          std::all_of(triangle.position.begin(), triangle.position.end(),
@@ -189,6 +190,16 @@ void lightCentres(const CentreLight& light, const Discretization& discretization
   });
 }
 
+/// Throws InputError if a sun lights a mirror image in another way than the surfaces.
+void requireEqualSuns(const Scene& scene) {
+  for (const Instance& instance : scene.instances)
+    for (const Sun& sun : scene.outside.suns)
+      if (instance.sign * sun.towards != sun.towards)
+        throw raster::InputError(
+            "a sun lights the images behind a mirror plane in another way than the surfaces in front of it",
+            "choose a direction along the plane, or omit the mirror");
+}
+
 }  // namespace
 
 Bands sumOf(const OutsideFlux& flux) {
@@ -210,6 +221,7 @@ OutsideViews affordableViews(int directions, std::size_t triangles) {
 OutsideFlux outsideFlux(const Scene& scene, const Discretization& discretization, const IdLayout& layout,
                         raster::ItemBufferRenderer& renderer, const OutsideViews& drawn) {
   if (!(brightest(scene.outside) > 0)) return {};
+  requireEqualSuns(scene);
   OutsideFlux flux{BandTable(discretization.elements.size(), bandCount(scene)), Bands(bandCount(scene))};
   const ParallelViews views = viewsFor(scene, discretization, drawn.pixelsPerElement);
   const double pixelArea = views.pixelSide() * views.pixelSide();

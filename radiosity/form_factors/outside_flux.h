@@ -43,7 +43,9 @@ struct OutsideViews {
 /// error of three times as many directions with 16 pixels per element, and half the time (docs/light.md).
 OutsideViews affordableViews(int directions, std::size_t triangles);
 
-/// The flux from `scene.outside`. `renderer` draws the scene (see sceneRenderer).
+/// The flux from `scene.outside`. `renderer` draws the scene (see sceneRenderer); if the scene has images, with item
+/// IDs of no element (see drawListWithBlockers), because only the flux of the first instance counts. Throws InputError
+/// for a sun that lights the images behind a mirror in another way than the surfaces.
 OutsideFlux outsideFlux(const Scene& scene, const Discretization& discretization, const IdLayout& layout,
                         raster::ItemBufferRenderer& renderer, const OutsideViews& views);
 

@@ -58,8 +58,11 @@ std::optional<FormFactorRow> SceneFormFactors::corrected(const Patch& patch, con
 }
 
 OutsideFlux SceneFormFactors::outsideFlux() {
-  return radiosity::outsideFlux(scene_, discretization_, layout_, *renderer_,
-                                affordableViews(directions_, triangleCount(scene_)));
+  const OutsideViews views = affordableViews(directions_, placedTriangleCount(scene_));
+  if (scene_.instances.size() == 1) return radiosity::outsideFlux(scene_, discretization_, layout_, *renderer_, views);
+  const IdLayout layout = layOut(discretization_, {.format = "r32ui", .blend = raster::Blend::IntegerAdd});
+  const auto renderer = softwareRenderer(drawListWithBlockers(scene_, discretization_, layout));
+  return radiosity::outsideFlux(scene_, discretization_, layout, *renderer, views);
 }
 
 PatchSplit SceneFormFactors::splits() {

@@ -1,5 +1,6 @@
 #include "radiosity/index_maps/meshed_draws.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
@@ -88,7 +89,7 @@ class Corners {
   std::unordered_map<Place, std::uint32_t, HashOfPlace> numbers_;
 };
 
-/// Appends the pieces of the surfaces, one surface at a time.
+/// Appends the pieces of the surfaces, one surface at one instance at a time.
 class Mesher {
  public:
   Mesher(const Scene& scene, const Discretization& discretization, const IdLayout& layout)
@@ -97,7 +98,8 @@ class Mesher {
     draws_.list.blend = layout.blend;
   }
 
-  void append(std::size_t surface) {
+  void append(std::size_t surface, const Instance& instance) {
+    instance_ = instance;
     const std::vector<Triangle>& triangles = scene_.surfaces[surface].triangles;
     const Grid& grid = discretization_.grids[surface];
     for (std::size_t t = 0; t < triangles.size(); ++t) {
@@ -134,10 +136,11 @@ class Mesher {
     std::vector<std::uint32_t> outline;
     for (std::size_t i = 0; i < piece.size; ++i) {
       const std::uint32_t corner =
-          corners_.numberOf(at(triangle.position, piece.corners[i].weight), draws_.list.positions);
+          corners_.numberOf(instance_(at(triangle.position, piece.corners[i].weight)), draws_.list.positions);
       if (outline.empty() || corner != outline.back()) outline.push_back(corner);
     }
     while (outline.size() > 1 && outline.back() == outline.front()) outline.pop_back();
+    if (instance_.reflects()) std::reverse(outline.begin(), outline.end());
     for (std::size_t i = 2; i < outline.size(); ++i) appendTriangle({outline[0], outline[i - 1], outline[i]}, id);
   }
 
@@ -154,6 +157,7 @@ class Mesher {
   const Scene& scene_;
   const Discretization& discretization_;
   const IdLayout& layout_;
+  Instance instance_ = {};  ///< of what is appended
   MeshedDraws draws_;
   Corners corners_;
 };
@@ -162,7 +166,8 @@ class Mesher {
 
 MeshedDraws makeMeshedDraws(const Scene& scene, const Discretization& discretization, const IdLayout& layout) {
   Mesher mesher(scene, discretization, layout);
-  for (std::size_t surface = 0; surface < scene.surfaces.size(); ++surface) mesher.append(surface);
+  for (const Instance& instance : scene.instances)
+    for (std::size_t surface = 0; surface < scene.surfaces.size(); ++surface) mesher.append(surface, instance);
   return mesher.finish();
 }
 

@@ -18,7 +18,7 @@
 namespace hemitex::radiosity {
 
 struct MeshedDraws {
-  /// Pieces of triangles in the order of the scene's triangles, then by texel. Consecutive pieces of one element are
+  /// Pieces of triangles in the order of the triangles in space, then by texel. Consecutive pieces of one element are
   /// one draw. A quad whose two triangles lie in one plane with one affine chart is cut as a whole: its pieces belong
   /// to its first triangle, and the second has none.
   ///
@@ -26,7 +26,7 @@ struct MeshedDraws {
   /// 2^-31 and 2^-30 extents of the scene, and then to binary32. The first step is far above the rounding of doubles.
   /// Where surfaces with different grids share an edge, corners of one lie on edges of the other (T-junctions).
   raster::DrawList list;
-  /// One per triangle of the scene and one at the end: its pieces are the triangles [firstPiece[t], firstPiece[t + 1])
+  /// One per triangle in space and one at the end: its pieces are the triangles [firstPiece[t], firstPiece[t + 1])
   /// of the list.
   std::vector<std::uint32_t> firstPiece;
 };
@@ -34,13 +34,13 @@ struct MeshedDraws {
 /// Meshes a scene with the item IDs of a layout of its discretization.
 MeshedDraws makeMeshedDraws(const Scene& scene, const Discretization& discretization, const IdLayout& layout);
 
-/// Renders a mesh. Skipping a triangle of the scene skips all its pieces.
+/// Renders a mesh. Skipping a triangle skips all its pieces.
 class MeshedRenderer final : public raster::ItemBufferRenderer {
  public:
   /// `pieces` draws the list of MeshedDraws, and `firstPiece` is theirs.
   MeshedRenderer(std::unique_ptr<raster::ItemBufferRenderer> pieces, std::vector<std::uint32_t> firstPiece);
 
-  /// `skipped` are triangles of the scene.
+  /// `skipped` are triangles in space.
   void draw(std::span<const raster::Face> faces, std::span<const std::uint32_t> skipped,
             std::vector<raster::ItemBuffer>& buffers, const std::function<void(std::size_t)>& drawn) override;
 

@@ -53,10 +53,11 @@ struct TexelPlace {
 
 }  // namespace
 
-raster::Draw& appendDraw(raster::DrawList& list, std::span<const Triangle> triangles, const glm::dvec3& origin) {
+raster::Draw& appendDraw(raster::DrawList& list, std::span<const Triangle> triangles, const Instance& instance,
+                         const glm::dvec3& origin) {
   const auto first = static_cast<std::uint32_t>(list.indices.size());
   for (const Triangle& triangle : triangles)
-    for (const glm::dvec3& position : triangle.position) {
+    for (const glm::dvec3& position : placed(triangle, instance).position) {
       list.indices.push_back(static_cast<std::uint32_t>(list.positions.size()));
       list.positions.emplace_back(position - origin);
     }
@@ -71,18 +72,34 @@ raster::DrawList makeDrawList(const Scene& scene, const Discretization& discreti
   list.blend = layout.blend;
   std::map<std::pair<int, int>, int> mapsBySize;
   const bool isUnique = layout.indexMaps == IndexMaps::Unique;
-  for (std::size_t surface = 0; surface < scene.surfaces.size(); ++surface) {
-    const Grid& grid = discretization.grids[surface];
-    const RectanglePlace& place = layout.places[surface];
-    const Page& page = layout.pages[static_cast<std::size_t>(place.page)];
-    const TexelPlace texels{grid, place, isUnique ? grid.columns : page.columns, isUnique ? grid.rows : page.rows};
-    std::size_t corner = list.positions.size();
-    raster::Draw& draw = appendDraw(list, scene.surfaces[surface].triangles, scene.origin);
-    draw.offset = page.offset;
-    draw.back = raster::backId(layout.format);
-    draw.indexMap = indexMapOf(grid, page, isUnique, mapsBySize, list.indexMaps);
-    for (const Triangle& triangle : scene.surfaces[surface].triangles)
-      for (const glm::dvec2& chart : triangle.chart) list.texcoords[corner++] = texels.coordinates(chart);
+  for (const Instance& instance : scene.instances)
+    for (std::size_t surface = 0; surface < scene.surfaces.size(); ++surface) {
+      const Grid& grid = discretization.grids[surface];
+      const RectanglePlace& place = layout.places[surface];
+      const Page& page = layout.pages[static_cast<std::size_t>(place.page)];
+      const TexelPlace texels{grid, place, isUnique ? grid.columns : page.columns, isUnique ? grid.rows : page.rows};
+      std::size_t corner = list.positions.size();
+      const bool isImage = list.draws.size() >= scene.surfaces.size();
+      raster::Draw& draw = appendDraw(list, scene.surfaces[surface].triangles, instance, scene.origin);
+      draw.offset = page.offset;
+      draw.back = raster::backId(layout.format);
+      draw.indexMap =
+          isImage ? list.draws[surface].indexMap : indexMapOf(grid, page, isUnique, mapsBySize, list.indexMaps);
+      for (const Triangle& triangle : scene.surfaces[surface].triangles)
+        for (const glm::dvec2& chart : placed(triangle, instance).chart)
+          list.texcoords[corner++] = texels.coordinates(chart);
+    }
+  return list;
+}
+
+raster::DrawList drawListWithBlockers(const Scene& scene, const Discretization& discretization,
+                                      const IdLayout& layout) {
+  raster::DrawList list = makeDrawList(scene, discretization, layout);
+  const raster::ItemId blocker = raster::backId(layout.format) - 1;
+  for (std::size_t draw = scene.surfaces.size(); draw < list.draws.size(); ++draw) {
+    list.draws[draw].offset = blocker;
+    list.draws[draw].back = {};
+    list.draws[draw].indexMap = {};
   }
   return list;
 }

@@ -10,8 +10,10 @@
 
 namespace hemitex::radiosity {
 
-/// Makes one draw per surface, with the reserved back item ID. Its chart is moved to its place in its page, and its
-/// index map is the shared one of the page's size or its own. Triangle t of the list is triangle t of the scene.
+/// Makes one draw per surface and instance, with the reserved back item ID. An image has its own positions in the list,
+/// because draws have no transforms (docs/item-buffers.md), and the item IDs of its surface. The surface's chart is
+/// moved to its place in its page, and its index map is the shared one of the page's size or its own. Triangle t of the
+/// list is triangle t in space.
 ///
 /// A chart that does not fill its page lies strictly inside its place, by at least one binary32 step. So no sample
 /// selects a texel of another surface. This is sufficient for three reasons. The side of a page is a power of two, so
@@ -21,8 +23,13 @@ namespace hemitex::radiosity {
 /// own border has no neighbour.)
 raster::DrawList makeDrawList(const Scene& scene, const Discretization& discretization, const IdLayout& layout);
 
-/// Appends triangles, with positions relative to `origin` and texture coordinates of 0, as one draw with offset 0 and
-/// without the item ID of backs and index map. Returns the draw.
-raster::Draw& appendDraw(raster::DrawList& list, std::span<const Triangle> triangles, const glm::dvec3& origin);
+/// As makeDrawList, but images have the largest item ID that is not reserved, on both sides, so that they only block
+/// the view. `layout` leaves it free.
+raster::DrawList drawListWithBlockers(const Scene& scene, const Discretization& discretization, const IdLayout& layout);
+
+/// Appends triangles at an instance, with positions relative to `origin` and texture coordinates of 0, as one draw with
+/// offset 0 and without the item ID of backs and index map. Returns the draw.
+raster::Draw& appendDraw(raster::DrawList& list, std::span<const Triangle> triangles, const Instance& instance,
+                         const glm::dvec3& origin);
 
 }  // namespace hemitex::radiosity

@@ -225,8 +225,8 @@ class ViewScores {
           ++sky;
           continue;
         }
-        const Triangle& triangle = scene_.surfaces[sample->surface].triangles[sample->triangle];
-        const glm::dvec3 v = pointOn(triangle, sample->weights) - camera.eye;
+        const Triangle triangle = placed(scene_, {sample->instance, sample->surface, sample->triangle});
+        const glm::dvec3 v = positionOf(scene_, *sample) - camera.eye;
         if (glm::length(v) < near_ && (camera.eye + v)[up_] > obstacleHeight_) {
           ++near;
           if (isMiddle(row, viewHeight) && isMiddle(column, viewWidth)) ++nearMiddle;
@@ -254,11 +254,6 @@ class ViewScores {
     double sum = 0;
     for (const auto& [surface, area] : areas) sum += std::sqrt(area);
     return sum;
-  }
-
-  static glm::dvec3 pointOn(const Triangle& triangle, const glm::dvec3& weights) {
-    const auto& [a, b, c] = triangle.position;
-    return weights.x * a + weights.y * b + weights.z * c;
   }
 
   static bool isMiddle(int index, int size) { return index >= size / 4 && index < size - size / 4; }

@@ -15,8 +15,10 @@ raster::DrawList makeTriangleList(const Scene& scene) {
   raster::DrawList list;
   list.format = *raster::formatNamed("r32ui");
   raster::ItemId number = 0;
-  for (const Surface& surface : scene.surfaces)
-    for (const Triangle& triangle : surface.triangles) appendDraw(list, {&triangle, 1}, scene.origin).offset = number++;
+  forEachPlace(scene, [&](const TrianglePlace& place) {
+    const Triangle& triangle = scene.surfaces[place.surface].triangles[place.triangle];
+    appendDraw(list, {&triangle, 1}, scene.instances[place.instance], scene.origin).offset = number++;
+  });
   return list;
 }
 
@@ -53,8 +55,7 @@ glm::dvec3 weightsOf(const std::array<glm::dvec3, 3>& corner, const glm::dvec3& 
 }  // namespace
 
 TriangleView::TriangleView(const Scene& scene) : scene_(scene), renderer_(makeTriangleList(scene)) {
-  for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s)
-    for (std::uint32_t t = 0; t < scene.surfaces[s].triangles.size(); ++t) places_.emplace_back(s, t);
+  forEachPlace(scene, [&](const TrianglePlace& place) { places_.push_back(place); });
 }
 
 std::vector<std::optional<Visible>> TriangleView::see(const Camera& camera, int width, int height,
@@ -69,15 +70,22 @@ std::vector<std::optional<Visible>> TriangleView::see(const Camera& camera, int 
     for (int column = 0; column < width; ++column) {
       const auto pixel = rowIndex * static_cast<std::size_t>(width) + static_cast<std::size_t>(column);
       if (buffer.ids[pixel] == background) continue;
-      const auto [surface, triangle] = places_[buffer.ids[pixel]];
-      std::array<glm::dvec3, 3> corner = scene_.surfaces[surface].triangles[triangle].position;
-      for (glm::dvec3& position : corner) position -= scene_.origin;
+      const TrianglePlace& place = places_[buffer.ids[pixel]];
+      std::array<glm::dvec3, 3> corner = scene_.surfaces[place.surface].triangles[place.triangle].position;
+      for (glm::dvec3& position : corner) position = scene_.instances[place.instance](position) - scene_.origin;
       const auto fromTop = static_cast<std::size_t>(height - 1 - row);
       samples[fromTop * static_cast<std::size_t>(width) + static_cast<std::size_t>(column)] = {
-          surface, triangle, weightsOf(corner, glm::dvec3(face.eye), direction(column, row))};
+          place.surface, place.triangle, weightsOf(corner, glm::dvec3(face.eye), direction(column, row)),
+          place.instance};
     }
   });
   return samples;
+}
+
+glm::dvec3 positionOf(const Scene& scene, const Visible& visible) {
+  const auto& [a, b, c] = scene.surfaces[visible.surface].triangles[visible.triangle].position;
+  const glm::dvec3& weight = visible.weights;
+  return scene.instances[visible.instance](weight.x * a + weight.y * b + weight.z * c);
 }
 
 std::vector<std::optional<Visible>> visibleSamples(const Scene& scene, const Camera& camera, int width, int height) {
@@ -92,10 +100,8 @@ std::vector<bool> seenSurfaces(const Scene& scene, const Camera& camera, int wid
   std::vector<int> pixels(scene.surfaces.size());
   for (const std::optional<Visible>& visible : visibleSamples(scene, camera, width, height)) {
     if (!visible) continue;
-    const Triangle& triangle = scene.surfaces[visible->surface].triangles[visible->triangle];
-    const auto& [a, b, c] = triangle.position;
-    const glm::dvec3& weight = visible->weights;
-    const glm::dvec3 ray = weight.x * a + weight.y * b + weight.z * c - camera.eye;
+    const Triangle triangle = placed(scene, {visible->instance, visible->surface, visible->triangle});
+    const glm::dvec3 ray = positionOf(scene, *visible) - camera.eye;
     // At depth z the pixel is z pixelSide wide and high. Its projection along the ray to the surface is larger by z
     // over the distance of the eye from the plane of the surface.
     const double z = glm::dot(ray, forward), side = z * pixelSide;

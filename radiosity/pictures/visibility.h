@@ -7,7 +7,6 @@
 #include <glm/glm.hpp>
 #include <optional>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "radiosity/pictures/camera.h"
@@ -21,7 +20,11 @@ struct Visible {
   std::uint32_t surface = 0;
   std::uint32_t triangle = 0;  ///< in Surface::triangles
   glm::dvec3 weights{0.0};     ///< barycentric, of the three corners; their sum is 1
+  std::uint32_t instance = 0;  ///< in Scene::instances
 };
+
+/// The position in space of a visible point.
+glm::dvec3 positionOf(const Scene& scene, const Visible& visible);
 
 /// The visible points of all samples, width x height, row 0 at the TOP; nothing for the background. Triangles that face
 /// away are invisible, so that closed rooms can be seen from outside. Throws InputError as cameraFace.
@@ -37,13 +40,13 @@ class TriangleView {
  public:
   explicit TriangleView(const Scene& scene);
 
-  /// As visibleSamples, but only the triangles in `skipped` (numbers in the scene, ascending) are invisible.
+  /// As visibleSamples, but only the triangles in `skipped` (numbers in space, ascending) are invisible.
   std::vector<std::optional<Visible>> see(const Camera& camera, int width, int height,
                                           std::span<const std::uint32_t> skipped);
 
  private:
   const Scene& scene_;
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> places_;  ///< the surface of each triangle, and its number there
+  std::vector<TrianglePlace> places_;  ///< of each triangle
   raster::SoftwareRenderer renderer_;
 };
 

@@ -15,11 +15,11 @@ namespace {
 /// Maximum number of triangles per box. Larger runs have large boxes; smaller runs are too many.
 constexpr std::uint32_t maxTriangles = 32;
 
-SpaceBox boxAround(const std::vector<Triangle>& triangles, std::uint32_t first, std::uint32_t end) {
+SpaceBox boxAround(const Scene& scene, const TriangleRange& range) {
   const double infinity = std::numeric_limits<double>::infinity();
   SpaceBox box{glm::dvec3(infinity), glm::dvec3(-infinity)};
-  for (std::uint32_t t = first; t < end; ++t)
-    for (const glm::dvec3& corner : triangles[t].position) {
+  for (std::uint32_t t = range.first; t < range.end; ++t)
+    for (const glm::dvec3& corner : placedCorners(scene, {range.instance, range.surface, t})) {
       box.low = glm::min(box.low, corner);
       box.high = glm::max(box.high, corner);
     }
@@ -68,15 +68,13 @@ std::pair<double, double> heightsOf(const SpaceBox& box, const SurfacePoint& poi
   return {heightOf(glm::mix(box.high, box.low, isUp), point), heightOf(glm::mix(box.low, box.high, isUp), point)};
 }
 
-bool liesInPlane(const Triangle& triangle, const SurfacePoint& point, double tolerance) {
-  return std::all_of(triangle.position.begin(), triangle.position.end(),
+bool liesInPlane(const std::array<glm::dvec3, 3>& corners, const SurfacePoint& point, double tolerance) {
+  return std::all_of(corners.begin(), corners.end(),
                      [&](const glm::dvec3& corner) { return std::abs(heightOf(corner, point)) <= tolerance; });
 }
 
-bool facesAway(const Triangle& triangle, const glm::dvec3& eye) {
-  const glm::dvec3 n =
-      glm::cross(triangle.position[1] - triangle.position[0], triangle.position[2] - triangle.position[0]);
-  return glm::dot(eye - triangle.position[0], n) < 0;
+bool facesAway(const std::array<glm::dvec3, 3>& corners, const glm::dvec3& eye) {
+  return glm::dot(eye - corners[0], glm::cross(corners[1] - corners[0], corners[2] - corners[0])) < 0;
 }
 
 }  // namespace
@@ -86,17 +84,17 @@ TriangleBoxes triangleBoxes(const Scene& scene) {
   std::vector<SpaceBox> boxes;
   std::vector<std::uint32_t> firstRange, twins;
   std::uint32_t number = 0;
-  for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s) {
-    const std::vector<Triangle>& triangles = scene.surfaces[s].triangles;
-    const auto count = static_cast<std::uint32_t>(triangles.size());
-    firstRange.push_back(static_cast<std::uint32_t>(ranges.size()));
-    if (scene.surfaces[s].twin) twins.push_back(s);
-    for (std::uint32_t first = 0; first < count; first += maxTriangles) {
-      ranges.push_back({s, first, std::min(first + maxTriangles, count), number + first});
-      boxes.push_back(boxAround(triangles, first, ranges.back().end));
+  for (std::uint32_t i = 0; i < scene.instances.size(); ++i)
+    for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s) {
+      const auto count = static_cast<std::uint32_t>(scene.surfaces[s].triangles.size());
+      if (scene.surfaces[s].twin) twins.push_back(static_cast<std::uint32_t>(firstRange.size()));
+      firstRange.push_back(static_cast<std::uint32_t>(ranges.size()));
+      for (std::uint32_t first = 0; first < count; first += maxTriangles) {
+        ranges.push_back({i, s, first, std::min(first + maxTriangles, count), number + first});
+        boxes.push_back(boxAround(scene, ranges.back()));
+      }
+      number += count;
     }
-    number += count;
-  }
   firstRange.push_back(static_cast<std::uint32_t>(ranges.size()));
   NearestBoxes nearest(boxes);
   return {std::move(ranges), std::move(boxes), std::move(firstRange), std::move(twins), std::move(nearest)};
@@ -107,18 +105,20 @@ std::vector<std::uint32_t> skippedTriangles(const Scene& scene, const TriangleBo
   const double tolerance = tangentPlaneTolerance * scene.extent;
   std::vector<std::uint32_t> skipped;
   const auto append = [&](std::uint32_t number) {
-    const Surface& seen = scene.surfaces[number];
-    const bool isOwn = number == surface || seen.twin == static_cast<int>(surface);
+    const Surface& seen = scene.surfaces[number % scene.surfaces.size()];
+    const bool isOwn = number == surface || (number < scene.surfaces.size() && seen.twin == static_cast<int>(surface));
     for (std::uint32_t r = boxes.firstRange[number]; r < boxes.firstRange[number + 1]; ++r) {
       const auto [lowest, highest] = heightsOf(boxes.boxes[r], point);
       const bool mayLie = isOwn && lowest <= tolerance && highest >= -tolerance;
       const bool allLie = mayLie && lowest >= -tolerance && highest <= tolerance;
       if (!mayLie && !seen.twin) continue;
       const TriangleRange& range = boxes.ranges[r];
-      for (std::uint32_t t = range.first; t < range.end; ++t)
-        if (allLie || (mayLie && liesInPlane(seen.triangles[t], point, tolerance)) ||
-            (seen.twin && facesAway(seen.triangles[t], point.position)))
+      for (std::uint32_t t = range.first; t < range.end; ++t) {
+        const std::array<glm::dvec3, 3> corners = placedCorners(scene, {range.instance, range.surface, t});
+        if (allLie || (mayLie && liesInPlane(corners, point, tolerance)) ||
+            (seen.twin && facesAway(corners, point.position)))
           skipped.push_back(range.number + (t - range.first));
+      }
     }
   };
   // A surface with a twin is one of `twins`, and so is its twin.
@@ -137,7 +137,7 @@ double nearDistance(const Scene& scene, const TriangleBoxes& boxes, const glm::d
     const TriangleRange& range = boxes.ranges[number];
     auto skip = std::lower_bound(skipped.begin(), skipped.end(), range.number);
     for (std::uint32_t t = range.first; t < range.end; ++t) {
-      const std::array<glm::dvec3, 3>& corner = scene.surfaces[range.surface].triangles[t].position;
+      const std::array<glm::dvec3, 3> corner = placedCorners(scene, {range.instance, range.surface, t});
       if (skip != skipped.end() && *skip == range.number + (t - range.first))
         ++skip;
       else if (squaredDistanceToBounds(point, corner) < limit)
@@ -156,11 +156,11 @@ double turnOf(std::uint32_t patch, int point) {
 std::vector<std::uint32_t> trianglesFacingAway(const Scene& scene, const glm::dvec3& eye, bool onlyTwins) {
   std::vector<std::uint32_t> away;
   std::uint32_t number = 0;
-  for (const Surface& surface : scene.surfaces)
-    for (const Triangle& triangle : surface.triangles) {
-      if ((surface.twin || !onlyTwins) && facesAway(triangle, eye)) away.push_back(number);
-      ++number;
-    }
+  forEachPlace(scene, [&](const TrianglePlace& place) {
+    if ((scene.surfaces[place.surface].twin || !onlyTwins) && facesAway(placedCorners(scene, place), eye))
+      away.push_back(number);
+    ++number;
+  });
   return away;
 }
 

@@ -12,20 +12,20 @@
 
 namespace hemitex::radiosity {
 
-/// Consecutive triangles of one surface; the first has the number `number` in the scene.
+/// Consecutive triangles of one surface at one instance; the first has the number `number` in space.
 struct TriangleRange {
-  std::uint32_t surface = 0;
+  std::uint32_t instance = 0, surface = 0;
   std::uint32_t first = 0, end = 0;  ///< in the surface
   std::uint32_t number = 0;
 };
 
-/// All triangles of a scene in boxes, so that a view visits only those of its own surface, those near to its point, and
+/// All triangles in space in boxes, so that a view visits only those of its own surface, those near to its point, and
 /// surfaces with twins.
 struct TriangleBoxes {
   std::vector<TriangleRange> ranges;      ///< in the order of the triangles
   std::vector<SpaceBox> boxes;            ///< one around each range
-  std::vector<std::uint32_t> firstRange;  ///< of each surface; one more at the end
-  std::vector<std::uint32_t> twins;       ///< the surfaces with twins, ascending
+  std::vector<std::uint32_t> firstRange;  ///< of each surface, instance by instance; one more at the end
+  std::vector<std::uint32_t> twins;       ///< the surfaces with twins, instance by instance: places in firstRange
   NearestBoxes nearest;                   ///< over the boxes
 };
 

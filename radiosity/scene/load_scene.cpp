@@ -309,7 +309,7 @@ Scene makeScene(PolygonMesh mesh, const MaterialSource& materials, const std::fi
     const auto object = static_cast<int>(sections[s].object);
     addSurfaces(scene, layCharts(std::move(sections[s]), mesh, file, settings), family, choice.ofSection[s], object);
   }
-  measureBounds(scene);
+  setSymmetry(scene, settings.symmetry);
   if (settings.sides == Sides::Two) addBacks(scene, allSurfaces(scene));
   if (settings.sides == Sides::TwoOfSheets) addBacks(scene, sheetsLitFromBothSides(scene));
   makeNamesUnique(scene.surfaces);

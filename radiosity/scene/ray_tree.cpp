@@ -100,12 +100,11 @@ glm::dvec3 inverseOf(const glm::dvec3& direction) {
 }  // namespace
 
 RayTree::RayTree(const Scene& scene) : touching_(contactTolerance(scene)) {
-  for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s)
-    for (std::uint32_t t = 0; t < scene.surfaces[s].triangles.size(); ++t) {
-      const auto& [a, b, c] = scene.surfaces[s].triangles[t].position;
-      leaves_.push_back(
-          {a, b - a, c - a, s, t, static_cast<std::uint32_t>(leaves_.size()), scene.surfaces[s].twin.has_value()});
-    }
+  forEachPlace(scene, [&](const TrianglePlace& place) {
+    const auto [a, b, c] = placedCorners(scene, place);
+    leaves_.push_back({a, b - a, c - a, place, static_cast<std::uint32_t>(leaves_.size()),
+                       scene.surfaces[place.surface].twin.has_value(), scene.instances[place.instance].reflects()});
+  });
   if (!leaves_.empty()) build(0, static_cast<std::uint32_t>(leaves_.size()), 0);
 }
 
@@ -121,11 +120,11 @@ void RayTree::build(std::uint32_t begin, std::uint32_t end, int depth) {
   const std::size_t number = nodes_.size();
   nodes_.emplace_back();
   Bounds bounds, middles;
-  std::uint32_t surface = leaves_[begin].surface;
+  std::uint32_t surface = leaves_[begin].firstSurface();
   for (std::uint32_t i = begin; i < end; ++i) {
     bounds.include(boundsOf(leaves_[i]));
     middles.include(middle(leaves_[i]));
-    if (leaves_[i].surface != surface) surface = noSurface;
+    if (leaves_[i].firstSurface() != surface) surface = noSurface;
   }
   nodes_[number] = {{bounds.low, bounds.high}, begin, end - begin, surface};
   if (end - begin <= trianglesOfLeaf) return;
@@ -203,7 +202,13 @@ void RayTree::trace(const glm::dvec3& origin, const glm::dvec3& direction, doubl
         const double v = glm::dot(direction, q) / determinant, t = glm::dot(leaf.along2, q) / determinant;
         if (leaf.hasTwin && determinant < 0) return;  // the twin shows its front there
         if (v >= 0 && u + v <= 1 && t > 0 && t < last)
-          meet(TriangleHit{leaf.surface, leaf.triangle, {u, v}, t, determinant > 0}, leaf, last);
+          meet(TriangleHit{.surface = leaf.place.surface,
+                           .triangle = leaf.place.triangle,
+                           .weights = leaf.isReflected ? glm::dvec2(v, u) : glm::dvec2(u, v),
+                           .distance = t,
+                           .isFront = determinant > 0,
+                           .instance = leaf.place.instance},
+               leaf, last);
       });
 }
 
@@ -213,7 +218,9 @@ std::optional<TriangleHit> RayTree::firstHit(const glm::dvec3& origin, const glm
   trace(origin, direction, std::numeric_limits<double>::infinity(),
         [&](const TriangleHit& hit, const Leaf& leaf, double& end) {
           std::optional<TriangleHit>& nearest = hit.isFront ? front : back;
-          const auto order = [](const TriangleHit& of) { return std::tuple(of.distance, of.surface, of.triangle); };
+          const auto order = [](const TriangleHit& of) {
+            return std::tuple(of.distance, of.instance, of.surface, of.triangle);
+          };
           if (nearest && order(*nearest) <= order(hit)) return;
           nearest = hit;
           if (!hit.isFront) {
@@ -240,7 +247,7 @@ void RayTree::appendNear(const glm::dvec3& low, const glm::dvec3& high, std::vec
         return !isLeftOut && isNear(node.corners[0], node.corners[1]) ? 0 : end;
       },
       [&](const Leaf& leaf, double&) {
-        if (leaf.surface == except) return;
+        if (except != noSurface && leaf.firstSurface() == except) return;
         const glm::dvec3 b = leaf.corner + leaf.along1, c = leaf.corner + leaf.along2;
         if (isNear(glm::min(glm::min(leaf.corner, b), c), glm::max(glm::max(leaf.corner, b), c)))
           numbers.push_back(leaf.number);

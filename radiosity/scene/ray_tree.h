@@ -19,6 +19,7 @@ struct TriangleHit {
   glm::dvec2 weights{0.0};                  ///< barycentric, of the triangle's corners 1 and 2
   double distance = 0;                      ///< in lengths of the ray's direction
   bool isFront = false;                     ///< whether the ray meets the front of the triangle
+  std::uint32_t instance = 0;               ///< in Scene::instances
 };
 
 class RayTree {
@@ -33,7 +34,7 @@ class RayTree {
   /// "Along" means that the cosine of the angle between the normal and the ray is at least `cosine`.
   bool meetsBack(const glm::dvec3& origin, const glm::dvec3& direction, double distance, double cosine) const;
   /// Appends the numbers of the triangles whose boxes intersect the box [low, high], in any order, except those of one
-  /// surface.
+  /// surface in the first instance.
   void appendNear(const glm::dvec3& low, const glm::dvec3& high, std::vector<std::uint32_t>& numbers,
                   std::uint32_t except = noSurface) const;
 
@@ -42,15 +43,19 @@ class RayTree {
  private:
   struct Leaf {
     glm::dvec3 corner, along1, along2;
-    std::uint32_t surface, triangle, number;
-    bool hasTwin;
+    TrianglePlace place;
+    std::uint32_t number;
+    bool hasTwin, isReflected;
+
+    /// The surface of a triangle of the first instance.
+    std::uint32_t firstSurface() const { return place.instance == 0 ? place.surface : noSurface; }
   };
   /// The first child of an inner node is the next node. A leaf node has triangles instead.
   struct Node {
     std::array<glm::dvec3, 2> corners;  ///< of the box around all triangles below: low and high
     std::uint32_t second = 0;           ///< the second child, or the first triangle
     std::uint32_t triangles = 0;        ///< 0 for an inner node
-    std::uint32_t surface = noSurface;  ///< of all triangles below, if they have the same
+    std::uint32_t surface = noSurface;  ///< of all triangles below, if they have the same in the first instance
   };
 
   /// Calls visit(leaf, end) for the triangles of leaf nodes whose entryOf(node, end) is below `end`, and below which

@@ -19,6 +19,12 @@ glm::dvec3 doubledArea(const Triangle& t) {
   return glm::cross(t.position[1] - t.position[0], t.position[2] - t.position[0]);
 }
 
+void exchangeSides(Triangle& triangle) {
+  std::swap(triangle.position[1], triangle.position[2]);
+  std::swap(triangle.chart[1], triangle.chart[2]);
+  std::swap(triangle.texcoord[1], triangle.texcoord[2]);
+}
+
 /// Half of the last of the 24 bits of a binary32 number if that bit is set, else 0.
 double roundingOf(double coordinate) {
   if (coordinate == 0) return 0;
@@ -69,11 +75,7 @@ double area(const Surface& surface) {
 }
 
 void turnOver(Surface& surface) {
-  for (Triangle& triangle : surface.triangles) {
-    std::swap(triangle.position[1], triangle.position[2]);
-    std::swap(triangle.chart[1], triangle.chart[2]);
-    std::swap(triangle.texcoord[1], triangle.texcoord[2]);
-  }
+  for (Triangle& triangle : surface.triangles) exchangeSides(triangle);
 }
 
 glm::dvec3 normal(const Triangle& triangle) {
@@ -97,6 +99,25 @@ std::size_t triangleCount(const Scene& scene) {
   return count;
 }
 
+Triangle placed(const Triangle& triangle, const Instance& instance) {
+  Triangle moved = triangle;
+  for (glm::dvec3& corner : moved.position) corner = instance(corner);
+  if (instance.reflects()) exchangeSides(moved);
+  return moved;
+}
+
+Surface placed(const Surface& surface, const Instance& instance) {
+  Surface moved = surface;
+  for (Triangle& triangle : moved.triangles) triangle = placed(triangle, instance);
+  return moved;
+}
+
+glm::dvec2 placedWeights(const glm::dvec2& weights, const Instance& instance) {
+  return instance.reflects() ? glm::dvec2(weights.y, weights.x) : weights;
+}
+
+std::size_t placedTriangleCount(const Scene& scene) { return scene.instances.size() * triangleCount(scene); }
+
 void measureBounds(Scene& scene) {
   glm::dvec3 low(std::numeric_limits<double>::max()), high(std::numeric_limits<double>::lowest());
   bool areRounded = true;
@@ -111,6 +132,12 @@ void measureBounds(Scene& scene) {
       }
     }
   }
+  const glm::dvec3 firstLow = low, firstHigh = high;
+  for (const Instance& instance : scene.instances)
+    for (const glm::dvec3& corner : {instance(firstLow), instance(firstHigh)}) {
+      low = glm::min(low, corner);
+      high = glm::max(high, corner);
+    }
   scene.origin = 0.5 * (low + high);
   scene.extent = glm::length(high - low);
   if (!areRounded) scene.rounding = 0;

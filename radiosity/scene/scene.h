@@ -52,9 +52,18 @@ struct Surface {
       triangles;  ///< in file order; never empty, all with area (see hasArea) in space and in the chart
   /// Surfaces of one family with the same number are charts of one curved part of the mesh.
   std::optional<std::uint32_t> curvedPart = {};
-  std::optional<int> twin = {};               ///< of a two-sided surface: the surface of the other side
-  std::optional<int> object = {};             ///< in Scene::objects; one without it is an object of its own
-  std::optional<std::uint32_t> imageOf = {};  ///< the surface of which this one is an image (see symmetry.h)
+  std::optional<int> twin = {};    ///< of a two-sided surface: the surface of the other side
+  std::optional<int> object = {};  ///< in Scene::objects; one without it is an object of its own
+};
+
+/// A place of all surfaces: it maps coordinates to `sign * coordinate + shift`.
+struct Instance {
+  glm::dvec3 sign{1.0};    ///< each 1 or -1
+  glm::dvec3 shift{-0.0};  ///< adding -0 changes no number, not even the sign of 0
+
+  glm::dvec3 operator()(const glm::dvec3& position) const { return sign * position + shift; }
+  /// Whether the instance is a mirror image, which turns the winding of triangles over.
+  bool reflects() const { return sign.x * sign.y * sign.z < 0; }
 };
 
 /// A camera that a scene file contains.
@@ -73,6 +82,9 @@ struct Scene {
   std::vector<Image> images;
   /// Object by object in the order of their first faces; backs of two-sided ones behind all fronts.
   std::vector<Surface> surfaces;
+  /// The surfaces are in space once per instance: first as they are, then as images (see symmetry.h). All images of an
+  /// element have its light, so that elements and light are those of the first instance.
+  std::vector<Instance> instances = {Instance()};
   std::size_t faces = 0;                   ///< of the file, with those that were dropped
   std::optional<int> up = {};              ///< the axis that points up, if the file states it: 1, y, in glTF
   OutsideLight outside = {};               ///< not part of the file
@@ -116,14 +128,50 @@ void turnOver(Surface& surface);
 /// The number of triangles of all surfaces. Triangles are numbered through the scene, surface by surface.
 std::size_t triangleCount(const Scene& scene);
 
+/// A triangle or surface at an instance. A mirror image exchanges the corners 1 and 2, so that its front stays in
+/// front.
+Triangle placed(const Triangle& triangle, const Instance& instance);
+Surface placed(const Surface& surface, const Instance& instance);
+/// Barycentric weights of the corners 1 and 2 of a triangle at an instance as those of the triangle, or the reverse.
+glm::dvec2 placedWeights(const glm::dvec2& weights, const Instance& instance);
+
+/// The number of triangles in space: those of all surfaces once per instance. They are numbered instance by instance,
+/// so that those of the first have their numbers in the scene.
+std::size_t placedTriangleCount(const Scene& scene);
+
+/// The place of a triangle in space.
+struct TrianglePlace {
+  std::uint32_t instance = 0;               ///< in Scene::instances
+  std::uint32_t surface = 0, triangle = 0;  ///< in Scene::surfaces, in Surface::triangles
+};
+
+/// The triangle at its place in space, and its corners.
+inline Triangle placed(const Scene& scene, const TrianglePlace& place) {
+  return placed(scene.surfaces[place.surface].triangles[place.triangle], scene.instances[place.instance]);
+}
+inline std::array<glm::dvec3, 3> placedCorners(const Scene& scene, const TrianglePlace& place) {
+  const Instance& instance = scene.instances[place.instance];
+  const auto& [a, b, c] = scene.surfaces[place.surface].triangles[place.triangle].position;
+  return {instance(a), instance(instance.reflects() ? c : b), instance(instance.reflects() ? b : c)};
+}
+
+/// Calls visit(place) for all triangles in space, in the order of their numbers.
+template <typename Visit>
+void forEachPlace(const Scene& scene, const Visit& visit) {
+  for (std::uint32_t i = 0; i < scene.instances.size(); ++i)
+    for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s)
+      for (std::uint32_t t = 0; t < scene.surfaces[s].triangles.size(); ++t) visit(TrianglePlace{i, s, t});
+}
+
 /// The memory that a scene takes per triangle while it is read and solved, as measured (see docs/performance.md).
 inline constexpr std::uint64_t bytesPerTriangle = 800;
 
 /// The sum over the RGB bands.
 inline double bandSum(const glm::dvec3& bands) { return bands.x + bands.y + bands.z; }
 
-/// Sets the origin, the extent and the rounding of a scene that has a surface. If all coordinates are binary32 numbers,
-/// as in glTF, one that needs all 24 bits is off by up to half of the last one. Those with fewer bits count as exact.
+/// Sets the origin, the extent and the rounding of a scene that has a surface, from all its instances. If all
+/// coordinates are binary32 numbers, as in glTF, one that needs all 24 bits is off by up to half of the last one. Those
+/// with fewer bits count as exact.
 void measureBounds(Scene& scene);
 
 /// The distance up to which faces are in contact, in units of the file: eight times the rounding of coordinates to

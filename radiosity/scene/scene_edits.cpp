@@ -273,6 +273,7 @@ std::optional<EditedScene> readAgain(const Scene& former, Scene next) {
         if (!isWithinReach(former, corner)) return std::nullopt;
     }
   }
+  next.instances = former.instances;
   next.origin = former.origin;
   next.extent = former.extent;
   next.rounding = former.rounding;

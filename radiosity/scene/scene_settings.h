@@ -5,6 +5,8 @@
 #include <optional>
 #include <string>
 
+#include "radiosity/scene/symmetry.h"
+
 namespace hemitex::radiosity {
 
 /// The source of charts.
@@ -42,6 +44,7 @@ struct SceneSettings {
   EmissionUnit emission = EmissionUnit::Radiosity;  ///< unit of Ke
   /// The cell data of a VTK file that are the reflectance and the emission of its faces; empty: none.
   std::string cellReflectance = {}, cellEmission = {};
+  Symmetry symmetry = {};
 };
 
 }  // namespace hemitex::radiosity

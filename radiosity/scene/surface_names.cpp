@@ -12,8 +12,7 @@ namespace {
 std::vector<std::uint32_t> find(const Scene& scene, const std::string& name) {
   std::vector<std::uint32_t> found;
   for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s)
-    if (!scene.surfaces[s].imageOf && (scene.surfaces[s].name == name || scene.surfaces[s].family == name))
-      found.push_back(s);
+    if (scene.surfaces[s].name == name || scene.surfaces[s].family == name) found.push_back(s);
   return found;
 }
 
@@ -46,7 +45,7 @@ Families familiesOf(const Scene& scene) {
       families.names.push_back(name);
       families.surfaces.emplace_back();
     }
-    if (!scene.surfaces[s].imageOf) families.surfaces[known->second].push_back(s);
+    families.surfaces[known->second].push_back(s);
     families.ofSurface.push_back(known->second);
   }
   return families;
@@ -58,7 +57,7 @@ Families facetsOf(const Scene& scene) {
   for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s) {
     const std::uint32_t facet = scene.surfaces[s].triangles.front().polygon;
     facets.names[facet] = scene.surfaces[s].family;
-    if (!scene.surfaces[s].imageOf) facets.surfaces[facet].push_back(s);
+    facets.surfaces[facet].push_back(s);
     facets.ofSurface.push_back(facet);
   }
   return facets;

@@ -16,7 +16,7 @@ constexpr std::string_view axisNames = "xyz";
 
 /// The map of a coordinate to sign * coordinate + shift.
 struct AxisImage {
-  double sign = 1, shift = 0;
+  double sign = 1, shift = -0.0;
 };
 
 /// The images along an axis; the first one is the box itself.
@@ -65,18 +65,6 @@ void requireUsable(const Scene& scene, const Symmetry& symmetry) {
   }
 }
 
-Surface imageOf(const Surface& surface, const std::array<AxisImage, 3>& image) {
-  Surface result = surface;
-  for (Triangle& triangle : result.triangles)
-    for (glm::dvec3& corner : triangle.position)
-      for (int axis = 0; axis < 3; ++axis) {
-        const AxisImage& map = image[static_cast<std::size_t>(axis)];
-        corner[axis] = map.sign * corner[axis] + map.shift;
-      }
-  if (image[0].sign * image[1].sign * image[2].sign < 0) turnOver(result);  // a reflection turns the winding
-  return result;
-}
-
 }  // namespace
 
 bool Symmetry::isNone() const {
@@ -84,35 +72,22 @@ bool Symmetry::isNone() const {
          period == glm::dvec3(0.0);
 }
 
-void addImages(Scene& scene, const Symmetry& symmetry) {
+void setSymmetry(Scene& scene, const Symmetry& symmetry) {
   requireUsable(scene, symmetry);
   std::array<std::vector<AxisImage>, 3> along;
-  std::size_t images = 1;
+  std::size_t count = 1;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     along[axis] = imagesAlong(symmetry.mirrors[axis], symmetry.period[static_cast<int>(axis)], symmetry.repeats);
-    images *= along[axis].size();
+    count *= along[axis].size();
   }
-  const std::size_t count = scene.surfaces.size();
-  std::uint32_t parts = 0;  // numbers of curved parts
-  for (const Surface& surface : scene.surfaces)
-    parts = std::max(parts, surface.curvedPart ? *surface.curvedPart + 1 : 0);
-  constexpr std::size_t maxSurfaces = std::size_t{1} << 24;
-  if (images * count > maxSurfaces)
-    throw raster::InputError("the scene and its images have " + std::to_string(images * count) + " surfaces",
-                             "repeat it less often");
-  for (std::size_t n = 1; n < images; ++n) {
-    const std::size_t x = n % along[0].size(), y = n / along[0].size() % along[1].size(),
-                      z = n / along[0].size() / along[1].size();
-    const std::array image{along[0][x], along[1][y], along[2][z]};
-    for (std::size_t s = 0; s < count; ++s) {
-      Surface surface = imageOf(scene.surfaces[s], image);
-      surface.name += "@" + std::to_string(n);
-      surface.imageOf = static_cast<std::uint32_t>(s);
-      if (surface.twin) surface.twin = *surface.twin + static_cast<int>(n * count);
-      if (surface.curvedPart) *surface.curvedPart += static_cast<std::uint32_t>(n) * parts;
-      scene.surfaces.push_back(std::move(surface));
-    }
-  }
+  constexpr std::size_t maxTriangles = std::size_t{1} << 28;
+  if (count > maxTriangles / triangleCount(scene))
+    throw raster::InputError("the scene and its images have more than 2^28 triangles", "repeat it less often");
+  scene.instances.clear();
+  for (const AxisImage& z : along[2])
+    for (const AxisImage& y : along[1])
+      for (const AxisImage& x : along[0])
+        scene.instances.push_back({{x.sign, y.sign, z.sign}, {x.shift, y.shift, z.shift}});
   measureBounds(scene);
 }
 

@@ -1,5 +1,6 @@
-/// Scenes that continue behind mirror planes or in periodic boxes: adds images of the surfaces, which are drawn and
-/// seen by the same rules as the surfaces themselves. The form factor to a surface is the sum over its images.
+/// Scenes that continue behind mirror planes or in periodic boxes: their images are instances of the same surfaces
+/// (Scene::instances), which are drawn and seen by the same rules. The form factor to a surface is the sum over its
+/// images, and all images of an element have the same light.
 #pragma once
 
 #include <array>
@@ -20,9 +21,9 @@ struct Symmetry {
   bool isNone() const;
 };
 
-/// Appends the images to the scene's surfaces (Surface::imageOf), image by image, and measures the bounds again. Throws
-/// InputError if a surface crosses a mirror plane, two planes of an axis are one, an axis has both mirrors and a
-/// period, or there are more than 2^24 surfaces.
-void addImages(Scene& scene, const Symmetry& symmetry);
+/// Gives a scene its instances, and measures the bounds again. Throws InputError if a surface crosses a mirror plane,
+/// two planes of an axis are one, an axis has both mirrors and a period, or the instances have more than 2^28
+/// triangles.
+void setSymmetry(Scene& scene, const Symmetry& symmetry);
 
 }  // namespace hemitex::radiosity

@@ -51,15 +51,16 @@ RowChange changeOfView(SceneChange& change, const View& before, const View& afte
 
 ChangedSurfaces::ChangedSurfaces(const Scene& scene, const std::vector<bool>& isChanged)
     : low_(std::numeric_limits<double>::infinity()), high_(-std::numeric_limits<double>::infinity()) {
-  for (std::size_t s = 0; s < scene.surfaces.size(); ++s) {
-    if (!isChanged[s]) continue;
-    appendDraw(list_, scene.surfaces[s].triangles, scene.origin);
-    for (const Triangle& triangle : scene.surfaces[s].triangles)
-      for (const glm::dvec3& corner : triangle.position) {
-        low_ = glm::min(low_, corner);
-        high_ = glm::max(high_, corner);
-      }
-  }
+  for (const Instance& instance : scene.instances)
+    for (std::size_t s = 0; s < scene.surfaces.size(); ++s) {
+      if (!isChanged[s]) continue;
+      appendDraw(list_, scene.surfaces[s].triangles, instance, scene.origin);
+      for (const Triangle& triangle : scene.surfaces[s].triangles)
+        for (const glm::dvec3& corner : triangle.position) {
+          low_ = glm::min(low_, instance(corner));
+          high_ = glm::max(high_, instance(corner));
+        }
+    }
   clusters_ = raster::clustersOf(list_);
 }
 

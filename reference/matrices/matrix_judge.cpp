@@ -159,7 +159,8 @@ class Judge {
       unblocked_.emplace_back(mesh_.scene.surfaces.size());
       std::vector<double>& closed = unblocked_.back();
       raster::parallelFor(closed.size(), [&](std::size_t s) {
-        closed[s] = quickFormFactor(mesh_.scene.surfaces[row.surface], mesh_.scene.surfaces[s]);
+        for (const radiosity::Instance& instance : mesh_.scene.instances)
+          closed[s] += quickFormFactor(mesh_.scene.surfaces[row.surface], placed(mesh_.scene.surfaces[s], instance));
       });
     }
     joinPlaces();
@@ -537,7 +538,7 @@ class Judge {
         if (to == row.surface || glm::length(way) == 0) continue;
         const auto hit =
             caster.firstHit({(start - scene.origin) / scene.extent, glm::normalize(way), first[row.surface]});
-        seen[to] = hit && surfaceOf[hit->triangle] == to;
+        seen[to] = hit && hit->triangle < surfaceOf.size() && surfaceOf[hit->triangle] == to;
       }
       sees.push_back(std::move(seen));
     }

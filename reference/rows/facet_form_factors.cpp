@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <utility>
 
 #include "radiosity/form_factors/scene_form_factors.h"
+#include "radiosity/index_maps/scene_draw_list.h"
 #include "radiosity/projection/covered_share.h"
 #include "reference/truth/closed_forms/quick_form_factor.h"
 
@@ -76,6 +78,39 @@ double poleShare(int resolution) {
   return side * side * std::numbers::inv_pi;
 }
 
+/// Draws the facets at all instances, whose item IDs are their numbers.
+raster::DrawList drawsOfFacets(const radiosity::Scene& scene, const radiosity::IdLayout& layout) {
+  raster::DrawList list;
+  list.format = layout.format;
+  for (const radiosity::Instance& instance : scene.instances)
+    for (const radiosity::Surface& facet : scene.surfaces) {
+      const auto number = static_cast<raster::ItemId>(list.draws.size());
+      raster::Draw& draw = appendDraw(list, facet.triangles, instance, scene.origin);
+      draw.offset = number;
+      draw.back = raster::backId(layout.format);
+    }
+  return list;
+}
+
+/// Adds up the columns of the images of each of n facets; two more columns are kept.
+SparseRow folded(const SparseRow& row, std::uint32_t facets, std::uint32_t images) {
+  std::map<std::uint32_t, std::pair<double, double>> sums;
+  for (std::size_t k = 0; k < row.column.size(); ++k) {
+    const std::uint32_t column = row.column[k];
+    auto& [value, error] = sums[column < images ? column % facets : column - images + facets];
+    value += row.value[k];
+    error += row.error[k];
+  }
+  SparseRow result;
+  result.rowError = row.rowError;
+  for (const auto& [column, sum] : sums) {
+    result.column.push_back(column);
+    result.value.push_back(sum.first);
+    result.error.push_back(sum.second);
+  }
+  return result;
+}
+
 /// A view, the area of its triangle and the set of its point.
 struct WeightedView {
   radiosity::View view;
@@ -88,14 +123,13 @@ struct WeightedView {
 /// What one thread needs to compute rows.
 class FacetFormFactors::Worker {
  public:
-  Worker(const radiosity::Scene& scene, const radiosity::Discretization& discretization,
-         const radiosity::IdLayout& layout, const FacetRowSettings& settings)
+  Worker(const radiosity::Scene& scene, const radiosity::Discretization& images, const radiosity::IdLayout& layout,
+         const FacetRowSettings& settings)
       : scene_(scene),
-        discretization_(discretization),
         settings_(settings),
-        renderer_(radiosity::sceneRenderer(scene, discretization, layout, radiosity::ElementsBy::Texture)),
-        rows_(scene, discretization, layout, *renderer_, {.resolution = resolutionFor(settings.maxError)}),
-        sums_(scene.surfaces.size()),
+        renderer_(radiosity::softwareRenderer(drawsOfFacets(scene, layout))),
+        rows_(scene, images, layout, *renderer_, {.resolution = resolutionFor(settings.maxError)}),
+        sums_(images.elements.size()),
         poleShare_(poleShare(resolutionFor(settings.maxError))) {}
 
   SparseRow row(std::uint32_t facet) {
@@ -116,7 +150,7 @@ class FacetFormFactors::Worker {
     }
     for (const std::uint32_t f : touched_) sums_[f] = {};
     touched_.clear();
-    return row;
+    return folded(row, static_cast<std::uint32_t>(scene_.surfaces.size()), static_cast<std::uint32_t>(sums_.size()));
   }
 
  private:
@@ -135,7 +169,7 @@ class FacetFormFactors::Worker {
     views_.push_back({rows_.viewFrom({.surface = facet, .point = point, .up = up, .area = 1}), weight, set});
     const radiosity::FormFactorRow row = rows_.ofView(views_.back().view);
     for (std::size_t i = 0; i < row.elements.size(); ++i) {
-      const std::uint32_t seen = discretization_.elements[row.elements[i]].surface;
+      const std::uint32_t seen = row.elements[i];
       FacetSums& sums = sums_[seen];
       if (sums.seen[0] + sums.seen[1] == 0) touched_.push_back(seen);
       sums.seen[set] += weight * formFactor(row.shares[i]);
@@ -145,13 +179,20 @@ class FacetFormFactors::Worker {
     weights_[set] += weight;
   }
 
+  /// A facet at an instance.
+  radiosity::Surface imageOf(std::uint32_t number) const {
+    const std::size_t facets = scene_.surfaces.size();
+    return radiosity::placed(scene_.surfaces[number % facets], scene_.instances[number / facets]);
+  }
+
   /// Adds what each seen facet covers in the views in which it was not counted yet, also where it is hidden.
   void countCovered() {
-    for (const std::uint32_t facet : touched_) {
-      FacetSums& sums = sums_[facet];
+    for (const std::uint32_t number : touched_) {
+      const radiosity::Surface facet = imageOf(number);
+      FacetSums& sums = sums_[number];
       for (; sums.views < static_cast<int>(views_.size()); ++sums.views) {
         const auto& [view, weight, set] = views_[static_cast<std::size_t>(sums.views)];
-        for (const radiosity::Triangle& triangle : scene_.surfaces[facet].triangles) {
+        for (const radiosity::Triangle& triangle : facet.triangles) {
           std::array<glm::dvec3, 3> corners = triangle.position;
           for (glm::dvec3& corner : corners) corner -= scene_.origin;
           sums.covered[set] += weight * radiosity::coveredShare(*view.projection, view.faces, corners);
@@ -182,7 +223,7 @@ class FacetFormFactors::Worker {
       const double seen = sums.seen[0] + sums.seen[1], covered = sums.covered[0] + sums.covered[1];
       double factor = seen / weight, error = errorOf(sums.seen), least = std::sqrt(factor * poleShare_ / count);
       if (covered > fewestPixels * poleShare_ * weight / count) {
-        if (sums.unblocked < 0) sums.unblocked = quickFormFactor(scene_.surfaces[facet], scene_.surfaces[f]);
+        if (sums.unblocked < 0) sums.unblocked = quickFormFactor(scene_.surfaces[facet], imageOf(f));
         const double hidden = std::max(covered - seen, 0.0);
         if (hidden <= hiddenAtMost * covered && hidden <= hiddenPixelsAtMost * poleShare_ * weight) {
           factor = sums.unblocked;
@@ -225,21 +266,23 @@ class FacetFormFactors::Worker {
   }
 
   const radiosity::Scene& scene_;
-  const radiosity::Discretization& discretization_;
   FacetRowSettings settings_;
   std::unique_ptr<raster::ItemBufferRenderer> renderer_;
   radiosity::ProjectedFormFactors rows_;
-  std::vector<FacetSums> sums_;         ///< of each facet
-  std::vector<std::uint32_t> touched_;  ///< the facets that the present row sees
+  std::vector<FacetSums> sums_;         ///< of each facet at each instance
+  std::vector<std::uint32_t> touched_;  ///< those that the present row sees
   std::vector<WeightedView> views_;     ///< of the present row
   std::array<double, 2> weights_{};     ///< of the views of both sets
   std::array<double, 2> background_{}, backs_{};
   double poleShare_;
 };
 
-FacetFormFactors::FacetFormFactors(const radiosity::Scene& scene, const radiosity::Discretization& discretization,
-                                   const FacetRowSettings& settings)
-    : scene_(scene), discretization_(discretization), settings_(settings), layout_(radiosity::layOut(discretization)) {}
+FacetFormFactors::FacetFormFactors(const radiosity::Scene& scene, const FacetRowSettings& settings)
+    : scene_(scene), settings_(settings) {
+  images_.elements.resize(scene.instances.size() * scene.surfaces.size());
+  layout_.format = *raster::formatNamed("r32ui");
+  layout_.indexMaps = radiosity::IndexMaps::Unique;
+}
 
 FacetFormFactors::~FacetFormFactors() = default;
 
@@ -252,7 +295,7 @@ SparseRow FacetFormFactors::row(std::uint32_t facet) {
       idle_.pop_back();
     }
   }
-  if (!worker) worker = std::make_unique<Worker>(scene_, discretization_, layout_, settings_);
+  if (!worker) worker = std::make_unique<Worker>(scene_, images_, layout_, settings_);
   SparseRow row = worker->row(facet);
   const std::lock_guard guard(mutex_);
   idle_.push_back(std::move(worker));

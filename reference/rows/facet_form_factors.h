@@ -36,10 +36,8 @@ struct FacetRowSettings {
 
 class FacetFormFactors {
  public:
-  /// Facet f is surface f, of one element each, planar and unburied (DiscretizationSettings::isUnburied). The scene and
-  /// the discretization must outlive this object.
-  FacetFormFactors(const radiosity::Scene& scene, const radiosity::Discretization& discretization,
-                   const FacetRowSettings& settings);
+  /// Facet f is surface f, planar and unburied. The scene must outlive this object.
+  FacetFormFactors(const radiosity::Scene& scene, const FacetRowSettings& settings);
   ~FacetFormFactors();
 
   /// The row of a facet, whose receivers are all facets. Errors of entries are rounded to binary32, and none is small
@@ -50,9 +48,9 @@ class FacetFormFactors {
  private:
   class Worker;
   const radiosity::Scene& scene_;
-  const radiosity::Discretization& discretization_;
   FacetRowSettings settings_;
-  radiosity::IdLayout layout_;
+  radiosity::Discretization images_;  ///< elements are the facets at all instances, numbered instance by instance
+  radiosity::IdLayout layout_;        ///< item IDs are the numbers of these elements
   std::mutex mutex_;
   std::vector<std::unique_ptr<Worker>> idle_;
 };

@@ -106,22 +106,21 @@ struct Rays {
 struct Polygons {
   radiosity::Discretization whole;
   SurfacePieces ofWhole, ofTexels;
+  SurfacePieces seenWhole, seenTexels;  ///< with images
 
   Polygons(const radiosity::Scene& scene, const radiosity::Discretization& discretization)
       : whole(radiosity::discretize(scene, {.texels = 1})),
         ofWhole(mergedPieces(surfacePieces(scene, whole))),
-        ofTexels(mergedPieces(surfacePieces(scene, discretization))) {}
+        ofTexels(mergedPieces(surfacePieces(scene, discretization))),
+        seenWhole(withImages(ofWhole, scene)),
+        seenTexels(withImages(ofTexels, scene)) {}
 };
 
 /// Rows of facets, computed in blocks by all threads.
 class FacetRows {
  public:
-  FacetRows(const radiosity::Scene& scene, const radiosity::Discretization& discretization, double maxError,
-            std::size_t blockLength)
-      : count_(static_cast<std::size_t>(std::count_if(scene.surfaces.begin(), scene.surfaces.end(),
-                                                      [](const auto& surface) { return !surface.imageOf; }))),
-        blockLength_(blockLength),
-        factors_(scene, discretization, {maxError}) {}
+  FacetRows(const radiosity::Scene& scene, double maxError, std::size_t blockLength)
+      : count_(scene.surfaces.size()), blockLength_(blockLength), factors_(scene, {maxError}) {}
 
   const SparseRow& row(std::uint32_t facet) {
     if (facet < first_ || facet >= first_ + rows_.size()) {
@@ -134,7 +133,7 @@ class FacetRows {
   }
 
  private:
-  std::size_t count_;  ///< of facets; their images follow
+  std::size_t count_;  ///< of facets
   std::size_t blockLength_;
   FacetFormFactors factors_;
   std::uint32_t first_ = 0;  ///< of the block
@@ -181,12 +180,11 @@ RowReceivers elementsAsReceivers(const radiosity::Discretization& discretization
   return receivers;
 }
 
-RowReceivers familiesAsReceivers(const radiosity::Scene& scene, const radiosity::Discretization& discretization,
-                                 const radiosity::Families& families) {
+RowReceivers familiesAsReceivers(const radiosity::Discretization& discretization, const radiosity::Families& families) {
   RowReceivers receivers{{}, families.ofSurface, std::vector<double>(families.names.size(), 0.0)};
   for (const radiosity::Element& element : discretization.elements) {
     receivers.ofElement.push_back(families.ofSurface[element.surface]);
-    if (!scene.surfaces[element.surface].imageOf) receivers.area[receivers.ofElement.back()] += element.area;
+    receivers.area[receivers.ofElement.back()] += element.area;
   }
   return receivers;
 }
@@ -206,9 +204,9 @@ RowMethod drawnMethod(const radiosity::Scene& scene, const radiosity::Discretiza
   return {row, radiosity::formFactor(drawn->uncorrected().projection().captured)};
 }
 
-RowMethod facetMethod(const radiosity::Scene& scene, const radiosity::Discretization& discretization,
-                      const RowReceivers& receivers, double maxError, std::size_t blockLength) {
-  const auto rows = std::make_shared<FacetRows>(scene, discretization, maxError, blockLength);
+RowMethod facetMethod(const radiosity::Scene& scene, const RowReceivers& receivers, double maxError,
+                      std::size_t blockLength) {
+  const auto rows = std::make_shared<FacetRows>(scene, maxError, blockLength);
   return {[&receivers, rows](const Source& source) {
     const SparseRow& found = rows->row(source.surfaces.front());
     const auto surfaces = static_cast<std::uint32_t>(receivers.ofSurface.size());
@@ -254,7 +252,7 @@ RowMethod analyticMethod(const radiosity::Scene& scene, const radiosity::Discret
     const std::vector<double> values =
         analyticRow(source.element ? polygons->ofTexels : polygons->ofWhole,
                     elementsOf(source.element ? discretization : polygons->whole, source),
-                    areElements ? polygons->ofTexels : polygons->ofWhole);
+                    areElements ? polygons->seenTexels : polygons->seenWhole);
     const std::vector<std::uint32_t>& receiverOf = areElements ? receivers.ofElement : receivers.ofSurface;
     std::vector<Entry> entries;
     for (std::size_t i = 0; i < values.size(); ++i)

@@ -36,8 +36,7 @@ struct RowReceivers {
 };
 
 RowReceivers elementsAsReceivers(const radiosity::Discretization& discretization);
-RowReceivers familiesAsReceivers(const radiosity::Scene& scene, const radiosity::Discretization& discretization,
-                                 const radiosity::Families& families);
+RowReceivers familiesAsReceivers(const radiosity::Discretization& discretization, const radiosity::Families& families);
 
 /// Computes rows. Keeps references to the arguments of the function that made it.
 struct RowMethod {
@@ -57,8 +56,8 @@ RowMethod drawnMethod(const radiosity::Scene& scene, const radiosity::Discretiza
 /// Rows with an error of at most `maxError` (reference/rows/facet_form_factors.h). Each receiver is one surface
 /// of one element. Rows are computed in blocks of `blockLength` facets from the one that is asked for, by all threads.
 /// If ranks share the rows, the length is 1, because a rank does not compute facets in their order.
-RowMethod facetMethod(const radiosity::Scene& scene, const radiosity::Discretization& discretization,
-                      const RowReceivers& receivers, double maxError, std::size_t blockLength);
+RowMethod facetMethod(const radiosity::Scene& scene, const RowReceivers& receivers, double maxError,
+                      std::size_t blockLength);
 
 /// Settings of the ray method.
 struct RayOptions {

@@ -380,11 +380,11 @@ TEST_CASE("hemitex formfactors --mirror gives the rows of the whole scene from a
     REQUIRE(quarter.rows() == facets);
     REQUIRE(quarter.columns == facets + 2);
     // The images come in the same order. Each facet is drawn from the same points, so that rows are equal up to the
-    // order of sums. But small receivers near a patch are corrected by hemicubes over them, whose directions follow the
-    // numbers of texels: of several texels, an image has another order. And a smoothed row of the whole room depends on
-    // those of its images.
+    // order of sums. But small receivers near a patch are corrected by hemicubes over them, one for all images of a
+    // receiver, and patches are divided by what all images of an element return to them. And a smoothed row of the
+    // whole room depends on those of its images.
     const bool isTurned = settings.ends_with("--texels 2"), isSmooth = settings.ends_with("--smooth");
-    const double tolerance = isSmooth ? 5e-3 : isTurned ? 1e-4 : 1e-14;
+    const double tolerance = isSmooth ? 5e-3 : isTurned ? 5e-4 : 1e-14;
     for (std::size_t r = 0; r < facets; ++r) {
       std::vector<double> sums(facets + 2), found(facets + 2);
       const reference::SparseRow all = whole.row(r), own = quarter.row(r);
@@ -412,9 +412,6 @@ TEST_CASE("hemitex formfactors --periodic sums over the boxes of a lattice", "[c
         Approx(wide).epsilon(1e-9));
   CHECK(last("box.obj --periodic 1,1,0 --repeats 3 --from floor --by-surface --resolution 256") ==
         Approx(wide).margin(2e-3));
-  const Outcome outcome = shell.run("formfactors box.obj --periodic 1,1,0 --from floor");
-  CHECK(outcome.exitCode == 2);
-  CHECK_THAT(outcome.err, Contains("add --by-surface or --all"));
 }
 
 TEST_CASE("hemitex formfactors goes on with the rows of a sparse matrix that a killed run left", "[cli]") {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "radiosity/discretization/exposed_pieces.h"
 #include "radiosity/discretization/texel_areas.h"
@@ -63,9 +64,11 @@ std::array<glm::dvec3, 3> inFrame(const radiosity::Scene& scene, const radiosity
 
 std::vector<SceneTriangle> sceneTriangles(const radiosity::Scene& scene) {
   std::vector<SceneTriangle> triangles;
-  for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s)
-    for (const Triangle& triangle : scene.surfaces[s].triangles)
-      triangles.push_back({s, &triangle, scene.surfaces[s].twin.has_value()});
+  radiosity::forEachPlace(scene, [&](const radiosity::TrianglePlace& place) {
+    const radiosity::Surface& surface = scene.surfaces[place.surface];
+    triangles.push_back(
+        {place, &surface.triangles[place.triangle], &scene.instances[place.instance], surface.twin.has_value()});
+  });
   return triangles;
 }
 
@@ -82,6 +85,36 @@ SurfacePieces surfacePieces(const radiosity::Scene& scene, const radiosity::Disc
   for (const SurfacePiece& piece : result.pieces) ++result.first[piece.element + 1];
   for (std::size_t e = 1; e < result.first.size(); ++e) result.first[e] += result.first[e - 1];
   return result;
+}
+
+SurfacePieces withImages(const SurfacePieces& pieces, const radiosity::Scene& scene) {
+  if (scene.instances.size() == 1) return pieces;
+  const auto triangles = static_cast<std::uint32_t>(radiosity::triangleCount(scene));
+  SurfacePieces result;
+  for (std::uint32_t element = 0; element + 1 < pieces.first.size(); ++element) {
+    result.first.push_back(static_cast<std::uint32_t>(result.pieces.size()));
+    for (std::uint32_t i = 0; i < scene.instances.size(); ++i)
+      for (SurfacePiece piece : pieces.of(element)) {
+        const radiosity::Instance& instance = scene.instances[i];
+        const glm::dvec3 shift = inFrame(scene, instance(scene.origin));
+        for (glm::dvec3& corner : piece.corner) corner = instance.sign * corner + shift;
+        piece.normal *= instance.sign;
+        piece.triangle += i * triangles;
+        if (instance.reflects()) {
+          std::reverse(piece.corner.begin(), piece.corner.end());
+          std::reverse(piece.onChart.begin(), piece.onChart.end());
+        }
+        result.pieces.push_back(std::move(piece));
+      }
+  }
+  result.first.push_back(static_cast<std::uint32_t>(result.pieces.size()));
+  return result;
+}
+
+std::uint32_t elementAt(const SceneTriangle& triangle, const radiosity::Discretization& discretization,
+                        const glm::dvec2& weights) {
+  return elementAt(*triangle.triangle, discretization.grids[triangle.place.surface],
+                   radiosity::placedWeights(weights, *triangle.instance));
 }
 
 std::uint32_t elementAt(const Triangle& triangle, const Grid& grid, const glm::dvec2& weights) {

@@ -1,8 +1,7 @@
 /// Elements as polygons: the triangles, cut along the texels of an index map. Rays start on these pieces, and closed
 /// forms use them.
 ///
-/// Positions are in the frame of the scene (see ray_meeting.h). Triangles are numbered through the scene, surface by
-/// surface.
+/// Positions are in the frame of the scene (see ray_meeting.h). Triangles have their numbers in space.
 #pragma once
 
 #include <cstdint>
@@ -19,12 +18,14 @@ namespace hemitex::reference {
 glm::dvec3 inFrame(const radiosity::Scene& scene, const glm::dvec3& position);
 std::array<glm::dvec3, 3> inFrame(const radiosity::Scene& scene, const radiosity::Triangle& triangle);
 
-/// A triangle of the scene, in which surfaces follow each other.
+/// A triangle in space.
 struct SceneTriangle {
-  std::uint32_t surface;  ///< in Scene::surfaces
-  const radiosity::Triangle* triangle;
+  radiosity::TrianglePlace place;
+  const radiosity::Triangle* triangle;  ///< of the surface
+  const radiosity::Instance* instance;
   bool hasTwin;  ///< rays pass through its back
 };
+/// All triangles in space, in the order of their numbers. The scene must outlive them.
 std::vector<SceneTriangle> sceneTriangles(const radiosity::Scene& scene);
 
 /// The part of a triangle that belongs to an element: a convex polygon.
@@ -48,11 +49,15 @@ struct SurfacePieces {
 };
 
 /// Assigns the pieces of each texel to the element that the texel maps to, as the discretization does with areas.
-/// Pieces without area are left out.
+/// Pieces without area are left out. The pieces are those of the first instance.
 SurfacePieces surfacePieces(const radiosity::Scene& scene, const radiosity::Discretization& discretization);
+/// Pieces of the first instance with their images, all of which belong to the element.
+SurfacePieces withImages(const SurfacePieces& pieces, const radiosity::Scene& scene);
 
 /// The element at a point of a triangle: that of the texel that an index map shows there. `weights` are barycentric, of
-/// the triangle's corners 1 and 2.
+/// the triangle's corners 1 and 2; in the second form those of the triangle in space.
 std::uint32_t elementAt(const radiosity::Triangle& triangle, const radiosity::Grid& grid, const glm::dvec2& weights);
+std::uint32_t elementAt(const SceneTriangle& triangle, const radiosity::Discretization& discretization,
+                        const glm::dvec2& weights);
 
 }  // namespace hemitex::reference

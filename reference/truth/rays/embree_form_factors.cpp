@@ -132,7 +132,7 @@ EmbreeScene treeOver(const radiosity::Scene& scene, std::vector<SceneTriangle>& 
     auto* index = static_cast<std::uint32_t*>(rtcSetNewGeometryBuffer(
         geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(std::uint32_t), triangles.size()));
     for (std::size_t t = 0; t < triangles.size(); ++t) {
-      const auto corners = inFrame(scene, *triangles[t].triangle);
+      const auto corners = inFrame(scene, radiosity::placed(scene, triangles[t].place));
       std::copy(corners.begin(), corners.end(), corner + 3 * t);
     }
     for (std::uint32_t i = 0; i < 3 * triangles.size(); ++i) index[i] = i;
@@ -183,8 +183,7 @@ RaySource RayRows::Implementation::shooterOf(const radiosity::Patch& patch) cons
 std::uint32_t RayRows::Implementation::whatIsMet(const RTCRayHit16& packet, std::size_t i) const {
   if (packet.hit.geomID[i] == RTC_INVALID_GEOMETRY_ID) return background;
   if (!meetsFront(packet, i)) return back;
-  const SceneTriangle& triangle = triangles[packet.hit.primID[i]];
-  return elementAt(*triangle.triangle, discretization.grids[triangle.surface], {packet.hit.u[i], packet.hit.v[i]});
+  return elementAt(triangles[packet.hit.primID[i]], discretization, {packet.hit.u[i], packet.hit.v[i]});
 }
 
 /// All rays have the same weight.

@@ -100,6 +100,7 @@ RayFormFactors::RayFormFactors(const radiosity::Scene& scene, const radiosity::D
     : discretization_(discretization),
       rays_(scene),
       pieces_(surfacePieces(scene, discretization)),
+      seen_(withImages(pieces_, scene)),
       triangles_(sceneTriangles(scene)) {}
 
 MeasuredRow RayFormFactors::overHemisphere(const RaySource& raySource, const Receivers& receivers,
@@ -107,8 +108,7 @@ MeasuredRow RayFormFactors::overHemisphere(const RaySource& raySource, const Rec
   const std::size_t back = receivers.count, background = back + 1;
   const auto columnOf = [&](const std::optional<RayHit>& hit) -> std::size_t {
     if (!hit) return background;
-    const SceneTriangle& met = triangles_[hit->triangle];
-    const std::uint32_t element = elementAt(*met.triangle, discretization_.grids[met.surface], hit->weights);
+    const std::uint32_t element = elementAt(triangles_[hit->triangle], discretization_, hit->weights);
     const std::uint32_t receiver = receivers.ofElement[element];
     return receiver == Receivers::none ? background : hit->front ? receiver : back;
   };
@@ -127,7 +127,7 @@ MeasuredRow RayFormFactors::aimed(const RaySource& raySource, const Receivers& r
                                   const Sampling& sampling) const {
   const std::size_t back = receivers.count, background = back + 1;
   std::vector<const SurfacePiece*> asked;
-  for (const SurfacePiece& piece : pieces_.pieces)
+  for (const SurfacePiece& piece : seen_.pieces)
     if (receivers.ofElement[piece.element] != Receivers::none) asked.push_back(&piece);
   const auto add = [&](const SamplePoint& sample, Sums& sums) {
     const ShootingPoint point = shootingPoint(raySource, sample[0], sample[1]);

@@ -75,6 +75,7 @@ class RayFormFactors {
   const radiosity::Discretization& discretization_;
   RayCaster rays_;
   SurfacePieces pieces_;
+  SurfacePieces seen_;  ///< with images
   std::vector<SceneTriangle> triangles_;
 };
 

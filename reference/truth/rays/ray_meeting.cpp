@@ -45,7 +45,7 @@ std::optional<Meeting> meet(const Ray& ray, const Target& target, std::uint32_t 
 std::vector<Target> targetsOf(const radiosity::Scene& scene) {
   std::vector<Target> targets;
   for (const SceneTriangle& triangle : sceneTriangles(scene))
-    targets.push_back({inFrame(scene, *triangle.triangle), triangle.hasTwin});
+    targets.push_back({inFrame(scene, radiosity::placed(scene, triangle.place)), triangle.hasTwin});
   return targets;
 }
 

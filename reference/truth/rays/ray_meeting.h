@@ -28,11 +28,11 @@ inline constexpr double rayEpsilon = 0x1p-40;
 struct Ray {
   glm::dvec3 start;            ///< in the frame of the scene
   glm::dvec3 direction;        ///< unit
-  std::uint32_t triangle = 0;  ///< the triangle that it starts on, numbered through the scene (see triangleCount)
+  std::uint32_t triangle = 0;  ///< the triangle that it starts on, by its number in space
 };
 
 struct RayHit {
-  std::uint32_t triangle = 0;  ///< numbered through the scene
+  std::uint32_t triangle = 0;  ///< by its number in space (see placedTriangleCount)
   glm::dvec2 weights;          ///< barycentric, of the triangle's corners 1 and 2
   bool front = false;          ///< whether the ray meets the front, where the triangle is counter-clockwise
 };
@@ -43,7 +43,7 @@ struct Target {
   bool hasTwin = false;              ///< rays pass through its back
 };
 
-/// The triangles of a scene, in its order.
+/// The triangles in space, in the order of their numbers.
 std::vector<Target> targetsOf(const radiosity::Scene& scene);
 
 /// A ray and the first hit among the targets asked so far.

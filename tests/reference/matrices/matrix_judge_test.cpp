@@ -209,7 +209,7 @@ TEST_CASE("judgeMatrix accuses no true matrix: of rays, or of hemicubes and clos
   CHECK(ofRays.measuredRows == box().count);
 
   SparseMatrix found{box().count + 2};
-  FacetFormFactors factors(box().scene, box().elements, {.maxError = 0.01});
+  FacetFormFactors factors(box().scene, {.maxError = 0.01});
   for (std::uint32_t i = 0; i < box().count; ++i) {
     const SparseRow row = factors.row(i);
     found.append({row.column, row.value});
@@ -286,7 +286,7 @@ TEST_CASE("judgeMatrix accuses no true matrix of solids that touch each other", 
   FacetMesh mesh{scene, elements, std::vector<std::uint32_t>(scene.faces), scene.faces};
   std::iota(mesh.facetOf.begin(), mesh.facetOf.end(), 0U);
   SparseMatrix found{scene.faces};
-  FacetFormFactors factors(scene, elements, {.maxError = 0.02});
+  FacetFormFactors factors(scene, {.maxError = 0.02});
   std::vector<SparseRow> rows(scene.faces);
   raster::parallelFor(rows.size(), [&](std::size_t f) { rows[f] = factors.row(static_cast<std::uint32_t>(f)); });
   for (SparseRow& row : rows) {

@@ -38,7 +38,7 @@ Scene facetsOf(const Scene& scene) {
 TEST_CASE("FacetFormFactors of an empty room are closed forms: everything is visible", "[facets]") {
   const Scene room = facetsOf(tests::makeRoom());
   const Discretization elements = discretize(room, {.texels = 1});
-  FacetFormFactors factors(room, elements, {.maxError = 0.01});
+  FacetFormFactors factors(room, {.maxError = 0.01});
   for (std::uint32_t i = 0; i < room.surfaces.size(); ++i) {
     SparseRow row = factors.row(i);
     CHECK(sumOf(row) == Approx(1).epsilon(1e-12));
@@ -57,7 +57,7 @@ TEST_CASE("FacetFormFactors with blockers agree with rays within their estimated
   const Discretization elements = discretize(box, {.texels = 1, .isUnburied = true});
   const RayFormFactors rays(box, elements);
   const Receivers receivers = everyElement(elements);
-  FacetFormFactors factors(box, elements, {.maxError = 0.01});
+  FacetFormFactors factors(box, {.maxError = 0.01});
   for (std::uint32_t i = 0; i < box.surfaces.size(); ++i) {
     CAPTURE(i);
     const SparseRow row = factors.row(i);
@@ -80,7 +80,7 @@ TEST_CASE("FacetFormFactors give the same bits whatever was asked before, with a
   const Discretization elements = discretize(box, {.texels = 1, .isUnburied = true});
   const auto rowsOf = [&](int threads) {
     const raster::ThreadLimit limit(threads);
-    FacetFormFactors factors(box, elements, {.maxError = 0.05});
+    FacetFormFactors factors(box, {.maxError = 0.05});
     std::vector<SparseRow> rows(box.surfaces.size());
     raster::parallelFor(rows.size(), [&](std::size_t i) { rows[i] = factors.row(static_cast<std::uint32_t>(i)); });
     return rows;

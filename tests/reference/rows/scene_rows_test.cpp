@@ -13,7 +13,7 @@ using namespace hemitex::reference;
 TEST_CASE("Rows of each RowMethod ascend, and sum to 1 with surroundings and backs", "[rows]") {
   const radiosity::Scene scene = radiosity::loadScene(HEMITEX_DATA "/cornell-box.obj", {.facets = true});
   const radiosity::Discretization elements = radiosity::discretize(scene, {.texels = 1, .isUnburied = true});
-  const RowReceivers receivers = familiesAsReceivers(scene, elements, radiosity::facetsOf(scene));
+  const RowReceivers receivers = familiesAsReceivers(elements, radiosity::facetsOf(scene));
   const std::size_t count = receivers.area.size();
   const auto check = [&](const RowMethod& method, bool hasErrors, bool hasBlockers) {
     SparseRow row = method.row({{3}});
@@ -26,7 +26,7 @@ TEST_CASE("Rows of each RowMethod ascend, and sum to 1 with surroundings and bac
     CHECK(row.column.back() < count);
   };
   check(drawnMethod(scene, elements, receivers, radiosity::layOut(elements), {.resolution = 32}), false, true);
-  check(facetMethod(scene, elements, receivers, 0.1, 2), true, true);
+  check(facetMethod(scene, receivers, 0.1, 2), true, true);
   check(rayMethod(scene, elements, receivers, {.samples = 1024}), true, true);
   check(analyticMethod(scene, elements, receivers), false, false);
 }

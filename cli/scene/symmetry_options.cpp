@@ -1,4 +1,4 @@
-#include "cli/formfactors/symmetry_options.h"
+#include "cli/scene/symmetry_options.h"
 
 #include <optional>
 #include <string>
