@@ -27,6 +27,24 @@ using raster::InputError;
 
 constexpr std::int64_t maxCount = (std::int64_t{1} << 31) - 1;
 
+/// `mirrors` are pairs of an axis and a coordinate.
+radiosity::Symmetry symmetryOf(const Settings& settings) {
+  radiosity::Symmetry symmetry;
+  if (const auto mirrors = settings.value("mirrors"))
+    for (const py::handle& mirror : *mirrors) {
+      const auto pair = py::reinterpret_borrow<py::sequence>(mirror);
+      const std::size_t axis = !py::isinstance<py::sequence>(mirror) || pair.size() != 2
+                                   ? std::string::npos
+                                   : std::string("x,y,z").find(textOf(pair[0], "mirrors"));
+      if (axis == std::string::npos || axis % 2 == 1)
+        throw InputError("`mirrors` is no list of pairs", "give (axis, coordinate) for each; the axis is x, y or z");
+      symmetry.mirrors[axis / 2].push_back(numbers(pair[1], "mirrors", {}).values[0]);
+    }
+  if (const auto period = settings.value("period")) symmetry.period = vectorOf(*period, "period");
+  assign(symmetry.repeats, settings.integer("repeats", 1, 1000));
+  return symmetry;
+}
+
 radiosity::SceneSettings sceneSettings(const Settings& settings) {
   using radiosity::Charts, radiosity::EmissionUnit, radiosity::Sides;
   radiosity::SceneSettings result{.sides = Sides::TwoOfSheets};
@@ -40,6 +58,7 @@ radiosity::SceneSettings sceneSettings(const Settings& settings) {
                                                                      {"radiance", EmissionUnit::Radiance}}));
   assign(result.facets, settings.flag("facets"));
   if (result.facets && !settings.value("sides")) result.sides = Sides::One;
+  result.symmetry = symmetryOf(settings);
   return result;
 }
 

@@ -43,7 +43,10 @@ class Scene:
                     charts: Literal["auto", "planar"] = "auto",
                     max_reflectance: float = 0.9999,
                     sky: Vector = 0.0,
-                    suns: Sequence[tuple[Vector, Vector]] = ()) -> Scene:
+                    suns: Sequence[tuple[Vector, Vector]] = (),
+                    mirrors: Sequence[tuple[Literal["x", "y", "z"], float]] = (),
+                    period: Vector = 0.0,
+                    repeats: int = 4) -> Scene:
         """A scene of arrays.
 
         vertices: (n, 3), in the unit of the scene.
@@ -56,6 +59,9 @@ class Scene:
         sides: which surfaces send light on both sides: `one` none, `two` all, `auto` open sheets that are lit from
             both; by default `auto`, and `one` for facets.
         sky: irradiance of an open plane, W/m^2. suns: (direction, irradiance) of parallel lights.
+        mirrors: (axis, coordinate) of planes behind which the scene continues as in a mirror, at most two per axis.
+        period: lengths along x, y and z of a box that is repeated; 0 along an axis without repeats.
+        repeats: images on each side of a box that `period` or two mirrors repeat.
 
         >>> square = [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]]
         >>> Scene.from_arrays(square, [[0, 1, 2, 3]], names=["floor"]).area
@@ -78,6 +84,9 @@ class Scene:
             "charts": charts,
             "max_reflectance": max_reflectance,
             "facets": names is None,
+            "mirrors": list(mirrors),
+            "period": period,
+            "repeats": repeats,
         }
         core = _core.scene_from_arrays(vertices, corners, counts, group_of, material_of.reshape(-1), groups,
                                        np.ascontiguousarray(materials[:, :3]), np.ascontiguousarray(materials[:, 3:]),
@@ -169,7 +178,10 @@ def load_scene(file: str | os.PathLike[str],
                crease: float | None = None,
                facets: bool = False,
                sky: Vector = 0.0,
-               suns: Sequence[tuple[Vector, Vector]] = ()) -> Scene:
+               suns: Sequence[tuple[Vector, Vector]] = (),
+               mirrors: Sequence[tuple[Literal["x", "y", "z"], float]] = (),
+               period: Vector = 0.0,
+               repeats: int = 4) -> Scene:
     """Reads OBJ with MTL, glTF, STL, PLY, VTK or View3D files, as `hemitex solve` does.
 
     emission: the unit of `Ke`. crease: the angle in degrees at which curved parts end. facets: each face of the file is
@@ -182,6 +194,9 @@ def load_scene(file: str | os.PathLike[str],
         "max_reflectance": max_reflectance,
         "crease": crease,
         "facets": facets,
+        "mirrors": list(mirrors),
+        "period": period,
+        "repeats": repeats,
     }
     return Scene(_core.light_from_outside(_core.load_scene(os.fspath(file), settings), sky, list(suns)))
 

@@ -7,6 +7,7 @@ import sys
 import threading
 import time
 from concurrent.futures import ThreadPoolExecutor
+from typing import Any
 
 import numpy as np
 import pytest
@@ -27,6 +28,25 @@ def test_scene_from_arrays_equals_the_same_file(tmp_path, box: hx.Scene) -> None
     assert (file.names, file.extent, file.origin) == (box.names, box.extent, box.origin)
     assert np.array_equal(file.triangles()[0], box.triangles()[0])
     assert np.array_equal(hx.solve(file).radiosity, hx.solve(box).radiosity)
+
+
+def test_mirrors_give_the_light_of_the_whole_room() -> None:
+    def box_with(low: float, **symmetry: Any) -> hx.Scene:
+        vertices = [[x, y, z] for x in (low, 2) for y in (0, 3) for z in (0, 5)]
+        faces = [[4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]] + [[0, 2, 3, 1]] * (low != 0)
+        names = ["right", "floor", "ceiling", "back", "front", "left"][:len(faces)]
+        emission = [name == "ceiling" for name in names]
+        return hx.Scene.from_arrays(vertices, faces, 0.5, emission, names, sides="one", **symmetry)
+
+    half = hx.solve(hx.discretize(box_with(0, mirrors=[("x", 0)]), texels=4), residual=1e-7)
+    whole = hx.solve(hx.discretize(box_with(-2), texels=4), residual=1e-7)
+    assert len(half.elements) == 5 * 16
+    for name in ("right", "floor", "back"):
+        assert np.allclose(half.mean(name), whole.mean(name), rtol=5e-3), name
+    with pytest.raises(hx.InputError, match="cuts the surface"):
+        box_with(0, mirrors=[("x", 1)])
+    with pytest.raises(hx.InputError, match="mirrors"):
+        box_with(0, mirrors=[("w", 1)])
 
 
 def test_arrays_share_memory_and_cannot_be_changed(box: hx.Scene) -> None:
