@@ -261,7 +261,8 @@ class Judge {
           name(place.second));
     if (verdict_.largestRowSum > 1 + 1e-3)
       add("the row of " + name(largest) + " sums to " + shortNumber(verdict_.largestRowSum) + ", above 1");
-    if (selves > 0) add(std::to_string(selves) + " planar facets see themselves");
+    // A facet may see its images.
+    if (selves > 0 && mesh_.scene.instances.size() == 1) add(std::to_string(selves) + " planar facets see themselves");
   }
 
   void checkReciprocity() {

@@ -35,7 +35,7 @@ def test_mirrors_give_the_light_of_the_whole_room() -> None:
         vertices = [[x, y, z] for x in (low, 2) for y in (0, 3) for z in (0, 5)]
         faces = [[4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]] + [[0, 2, 3, 1]] * (low != 0)
         names = ["right", "floor", "ceiling", "back", "front", "left"][:len(faces)]
-        emission = [name == "ceiling" for name in names]
+        emission = [float(name == "ceiling") for name in names]
         return hx.Scene.from_arrays(vertices, faces, 0.5, emission, names, sides="one", **symmetry)
 
     half = hx.solve(hx.discretize(box_with(0, mirrors=[("x", 0)]), texels=4), residual=1e-7)
