@@ -51,6 +51,8 @@ const std::vector<std::string> choices{"--texels 6",
                                        "--scale 2",
                                        "--facets",
                                        "--no-facets",
+                                       "--mirror x=-3",
+                                       "--periodic 0,5,5 --repeats 1",
                                        "--size 40x30",
                                        "--threads 1"};
 
