@@ -7,12 +7,16 @@
 #include <utility>
 
 #include "raster/base/input_error.h"
+#include "raster/base/memory_budget.h"
 #include "raster/base/short_number.h"
 
 namespace hemitex::radiosity {
 namespace {
 
 constexpr std::string_view axisNames = "xyz";
+
+/// The memory that a triangle of an image takes in a solution, as measured: its positions, and boxes to cull it.
+constexpr std::uint64_t bytesPerImageTriangle = 160;
 
 /// The map of a coordinate to sign * coordinate + shift.
 struct AxisImage {
@@ -83,6 +87,9 @@ void setSymmetry(Scene& scene, const Symmetry& symmetry) {
   constexpr std::size_t maxTriangles = std::size_t{1} << 28;
   if (count > maxTriangles / triangleCount(scene))
     throw raster::InputError("the scene and its images have more than 2^28 triangles", "repeat it less often");
+  const std::size_t images = (count - 1) * triangleCount(scene);
+  raster::requireMemory(images * bytesPerImageTriangle, "",
+                        "the draw list of " + std::to_string(images) + " triangles of images", "repeat it less often");
   scene.instances.clear();
   for (const AxisImage& z : along[2])
     for (const AxisImage& y : along[1])

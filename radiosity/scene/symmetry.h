@@ -23,7 +23,7 @@ struct Symmetry {
 
 /// Gives a scene its instances, and measures the bounds again. Throws InputError if a surface crosses a mirror plane,
 /// two planes of an axis are one, an axis has both mirrors and a period, or the instances have more than 2^28
-/// triangles.
+/// triangles. Throws SizeError if there is no memory to draw them.
 void setSymmetry(Scene& scene, const Symmetry& symmetry);
 
 }  // namespace hemitex::radiosity
