@@ -64,7 +64,8 @@ void requireValid(const SpectralBands& bands, const Scene& scene) {
   std::set<std::string> names;
   for (const Material& material : scene.materials) names.insert(material.name);
   const auto areIn = [](const std::optional<Spectrum>& spectrum, double largest) {
-    return !spectrum || std::ranges::all_of(spectrum->values, [&](double v) { return v >= 0 && v <= largest; });
+    return !spectrum || std::all_of(spectrum->values.begin(), spectrum->values.end(),
+                                    [&](double v) { return v >= 0 && v <= largest; });
   };
   for (const auto& [name, spectra] : bands.materials) {
     const std::string owner = "of `" + raster::excerpt(name) + "`";

@@ -39,6 +39,11 @@ void addTo(std::type_identity_t<std::span<double, extent>> sum,
   for (std::size_t band = 0; band < values.size(); ++band) sum[band] += values[band] * factor;
 }
 
+/// Replaces values of as many bands.
+inline void set(std::span<double> values, std::span<const double> by) {
+  std::copy(by.begin(), by.end(), values.begin());
+}
+
 /// The values times a factor.
 inline Bands scaled(std::span<const double> values, double factor) {
   Bands result(values.begin(), values.end());

@@ -186,7 +186,7 @@ void lightCentres(const CentreLight& light, const Discretization& discretization
   raster::parallelFor(discretization.elements.size(), [&](std::size_t e) {
     const double area = discretization.elements[e].area;
     if (area < minPixels * pixelArea)
-      std::ranges::copy(scaled(light.irradiance(static_cast<std::uint32_t>(e)), area), flux.received[e].begin());
+      set(flux.received[e], scaled(light.irradiance(static_cast<std::uint32_t>(e)), area));
   });
 }
 

@@ -162,7 +162,7 @@ class LightUpdate {
               light.stale,
               light.lastEmitted};
     for (std::size_t p = 0; p < light.shot.size(); ++p)
-      if (numbers_.patch[p]) std::ranges::copy(light.shot[p], light_.shot[*numbers_.patch[p]].begin());
+      if (numbers_.patch[p]) set(light_.shot[*numbers_.patch[p]], light.shot[p]);
     for (std::size_t e = 0; e < light.received.size(); ++e)
       addTo(light_.received[numbers_.element[e]], light.received[e]);
     for (std::size_t e = 0; e < light.outside.received.size(); ++e)

@@ -35,7 +35,7 @@ class BandColours {
       : ofBands_(scene.wavelengths.empty()
                      ? std::vector<glm::dvec3>{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}
                      : linearSrgbOfBands(std::vector(scene.wavelengths.rbegin(), scene.wavelengths.rend()))) {
-    if (!scene.wavelengths.empty()) std::ranges::reverse(ofBands_);
+    if (!scene.wavelengths.empty()) std::reverse(ofBands_.begin(), ofBands_.end());
   }
 
   glm::dvec3 of(std::span<const double> values) const {
@@ -177,7 +177,7 @@ void splitAgain(SolveInput& input, const Snapshot& snapshot) {
 }
 
 bool areFluxes(const BandTable& table) {
-  return std::ranges::all_of(table.values, [](double flux) { return flux >= 0; });
+  return std::all_of(table.values.begin(), table.values.end(), [](double flux) { return flux >= 0; });
 }
 
 /// Throws InputError for a stored solution with values that no solution of the scene has: negative flux, or flux that

@@ -227,7 +227,7 @@ std::size_t ShootingState::shoot(std::uint32_t patch, const FormFactorRow& row) 
   const std::span<double> unshot = unshot_.ofPatch(patch);
   const Bands shot(unshot.begin(), unshot.end());
   addTo(light_.shot[patch], shot);
-  std::ranges::fill(unshot, 0);
+  std::fill(unshot.begin(), unshot.end(), 0.0);
   const std::vector<Part> parts = partsOf(row, discretization_);
   std::vector<Receipt> receipts(parts.size());
   // Patches belong to one surface, so that no two threads change the same patch.
@@ -363,9 +363,8 @@ BandTable ShootingState::unshotByPatches() const {
   assert(light_.shot.size() == patches_.list.size());
   assert(light_.received.size() == discretization_.elements.size());
   BandTable unshot(light_.shot.size(), materials_.bands());
-  raster::parallelFor(unshot.size(), [&](std::size_t patch) {
-    std::ranges::copy(unshotOf(static_cast<std::uint32_t>(patch)), unshot[patch].begin());
-  });
+  raster::parallelFor(unshot.size(),
+                      [&](std::size_t patch) { set(unshot[patch], unshotOf(static_cast<std::uint32_t>(patch))); });
   return unshot;
 }
 
@@ -379,7 +378,7 @@ void ShootingState::split(std::uint32_t number, std::vector<Patch> parts) {
   unshot_.grow(end);
   std::vector<std::uint32_t> blocks;
   const auto makeAnew = [&](std::uint32_t changed) {
-    std::ranges::copy(unshotOf(changed), unshot_.ofPatch(changed).begin());
+    set(unshot_.ofPatch(changed), unshotOf(changed));
     blocks.push_back(changed / UnshotTree::patchesInBlock);
   };
   makeAnew(number);

@@ -54,7 +54,7 @@ std::size_t UnshotTree::make(std::size_t level, std::uint32_t number) {
   Node node;
   node.update = updates_;
   const std::span<double> sizes = levels_[level].sizes[number];
-  std::ranges::fill(sizes, 0);
+  std::fill(sizes.begin(), sizes.end(), 0.0);
   if (level == 0 && flux_.bands == 3) {
     sumPatches<3>(first, end, node, sizes);
   } else if (level == 0) {
