@@ -203,16 +203,4 @@ BandsFile readBands(const std::filesystem::path& file, const radiosity::Scene& s
   return std::move(reader).result();
 }
 
-radiosity::Scene sceneInBands(const SceneOptions& options, const std::filesystem::path& bandsFile) {
-  SceneOptions unchanged = options;
-  unchanged.materials = {};
-  radiosity::Scene scene = loadedScene(unchanged);
-  const BandsFile read = readBands(bandsFile, scene, options.settings);
-  scene = withMaterials(radiosity::inBands(std::move(scene), read.bands, options.settings.maxReflectance),
-                        options.materials, options.settings);
-  scene.files.insert(scene.files.end(), read.files.begin(), read.files.end());
-  requireLight(scene, options.file);
-  return scene;
-}
-
 }  // namespace hemitex::cli

@@ -16,7 +16,6 @@
 #include <filesystem>
 #include <vector>
 
-#include "cli/scene/scene_options.h"
 #include "radiosity/bands/spectral_scene.h"
 #include "radiosity/scene/scene.h"
 #include "radiosity/scene/scene_settings.h"
@@ -34,9 +33,5 @@ struct BandsFile {
 /// above 1e30, and, with similar names, for a material that the scene does not have.
 BandsFile readBands(const std::filesystem::path& file, const radiosity::Scene& scene,
                     const radiosity::SceneSettings& settings);
-
-/// Loads the scene, reads its bands from `bandsFile`, and changes its materials as the options ask: a colour means the
-/// bands that it stands for. Its files include those of the bands. Throws InputError as loadedScene and readBands.
-radiosity::Scene sceneInBands(const SceneOptions& options, const std::filesystem::path& bandsFile);
 
 }  // namespace hemitex::cli

@@ -111,10 +111,25 @@ std::set<std::filesystem::path> inputFiles(const SolveOptions& options, const Co
   return files;
 }
 
+/// Loads the scene, reads its bands, and changes its materials as the options ask: a colour means the bands that it
+/// stands for. Its files include those of the bands.
+radiosity::Scene sceneInBands(const SolveOptions& options) {
+  SceneOptions unchanged = options.scene;
+  unchanged.materials = {};
+  const radiosity::SceneSettings& settings = options.scene.settings;
+  radiosity::Scene scene = loadedScene(unchanged);
+  const BandsFile read = readBands(options.bands, scene, settings);
+  scene = withMaterials(radiosity::inBands(std::move(scene), read.bands, settings.maxReflectance),
+                        options.scene.materials, settings);
+  scene.files.insert(scene.files.end(), read.files.begin(), read.files.end());
+  requireLight(scene, options.scene.file);
+  return scene;
+}
+
 /// The scene of the options, and its warnings told.
 radiosity::Scene sceneOf(const SolveOptions& options, Console& console) {
   if (options.bands.empty()) return sceneOf(options.scene, console);
-  const radiosity::Scene scene = sceneInBands(options.scene, options.bands);
+  const radiosity::Scene scene = sceneInBands(options);
   console.warnings(scene.warnings);
   return scene;
 }
