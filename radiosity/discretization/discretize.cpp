@@ -192,8 +192,7 @@ bool hasMap(const Scene& scene, std::optional<int> Material::*map) {
 /// One value per element: that of the material times the average of its map, if any.
 std::vector<glm::dvec3> mappedValues(const Scene& scene, const Surface& surface, const Grid& grid,
                                      const glm::dvec3& value, const std::optional<int>& map) {
-  if (!map) return std::vector<glm::dvec3>(grid.elementCount, value);
-  std::vector<glm::dvec3> values = averageOverElements(scene.images[static_cast<std::size_t>(*map)], surface, grid);
+  std::vector<glm::dvec3> values = meansOfMap(scene, surface, grid, map);
   for (glm::dvec3& mean : values) mean *= value;
   return values;
 }

@@ -14,7 +14,7 @@ namespace {
 
 BandTable tableOf(const std::vector<Bands>& list, std::size_t bands) {
   BandTable table(list.size(), bands);
-  for (std::size_t i = 0; i < list.size(); ++i) std::copy(list[i].begin(), list[i].end(), table[i].begin());
+  for (std::size_t i = 0; i < list.size(); ++i) set(table[i], list[i]);
   return table;
 }
 
@@ -39,9 +39,7 @@ BandTable ofElements(const Scene& scene, const Discretization& discretization, c
   raster::parallelFor(scene.surfaces.size(), [&](std::size_t s) {
     const auto material = static_cast<std::size_t>(scene.surfaces[s].material);
     const Grid& grid = discretization.grids[s];
-    const std::optional<int> image = scene.materials[material].*map;
-    std::vector<glm::dvec3> means(grid.elementCount, glm::dvec3(1));
-    if (image) means = averageOverElements(scene.images[static_cast<std::size_t>(*image)], scene.surfaces[s], grid);
+    const std::vector<glm::dvec3> means = meansOfMap(scene, scene.surfaces[s], grid, scene.materials[material].*map);
     for (std::uint32_t i = 0; i < grid.elementCount; ++i)
       for (std::size_t band = 0; band < table.bands; ++band)
         table[grid.firstElement + i][band] =

@@ -113,4 +113,10 @@ Image halved(const Image& image) {
   return half;
 }
 
+std::vector<glm::dvec3> meansOfMap(const Scene& scene, const Surface& surface, const Grid& grid,
+                                   const std::optional<int>& map) {
+  if (!map) return std::vector<glm::dvec3>(grid.elementCount, glm::dvec3(1));
+  return averageOverElements(scene.images[static_cast<std::size_t>(*map)], surface, grid);
+}
+
 }  // namespace hemitex::radiosity

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <glm/glm.hpp>
+#include <optional>
 #include <vector>
 
 #include "radiosity/discretization/discretization.h"
@@ -18,6 +19,10 @@ inline constexpr double maxMappedReflectance = 0.9999;
 /// shows more than 2^24 pixels, as with tiled images, the image is halved until it does not. Halving keeps the integral
 /// over whole tiles. Light within one reduced pixel of an element's border may count for the neighbour.
 std::vector<glm::dvec3> averageOverElements(const Image& image, const Surface& surface, const Grid& grid);
+
+/// As above for a map of a surface's material, in Scene::images; without a map all means are 1.
+std::vector<glm::dvec3> meansOfMap(const Scene& scene, const Surface& surface, const Grid& grid,
+                                   const std::optional<int>& map);
 
 /// The image at half its width and height, rounded up; each pixel is the mean of the pixels that it covers.
 Image halved(const Image& image);

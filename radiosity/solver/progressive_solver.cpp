@@ -207,8 +207,7 @@ Solution finished(const SolveInput& input, Solution solution, ShootingState stat
   solution.energy = state.energy();
   if (!absorbedByBacks.empty()) absorbedByBacks.resize(state.patches().list.size());
   solution.absorbedByBacks = colours.of(absorbedByBacks);
-  solution.ambient =
-      colours.of(ambientEstimate(input.discretization, ElementMaterials(scene, input.discretization), solution.energy));
+  solution.ambient = colours.of(ambientEstimate(input.discretization, state.materials(), solution.energy));
   solution.warnings = warningsOf(scene, solution.energy);
   if (input.isContinued) solution.continuation = Continuation{state.light(), std::move(rows)};
   solution.patches = state.takePatches();

@@ -94,6 +94,7 @@ class ShootingState {
   /// visited: those of the row, and some near the patches that received.
   std::size_t shoot(std::uint32_t patch, const FormFactorRow& row);
 
+  const ElementMaterials& materials() const { return materials_; }
   const ShotLight& light() const { return light_; }
   /// The account of flux, summed over all elements and patches.
   Energy energy() const;
