@@ -15,18 +15,20 @@ using raster::ViewVertex;
 
 /// In [-1, 1].
 double anyError(std::mt19937& random) { return static_cast<double>(random()) * 0x1p-31 - 1; }
+double anyError(std::minstd_rand& random) { return static_cast<double>(random()) * 0x1p-30 - 1; }
 
-/// Seeded by the position, so that triangles which share a vertex get the same error.
-std::mt19937 generatorOf(std::uint32_t seed, const glm::vec3& position) {
+/// Seeded by the position, so that triangles which share a vertex get the same error. Seeding a std::mt19937 for each
+/// vertex takes longer than drawing.
+std::minstd_rand generatorOf(std::uint32_t seed, const glm::vec3& position) {
   std::seed_seq sequence{seed, std::bit_cast<std::uint32_t>(position.x), std::bit_cast<std::uint32_t>(position.y),
                          std::bit_cast<std::uint32_t>(position.z)};
-  return std::mt19937(sequence);
+  return std::minstd_rand(sequence);
 }
 
 ViewVertex disturbed(const SimulatedDevice& device, const raster::Face& face, const glm::vec3& position,
                      const glm::vec2& texcoord) {
   ViewVertex vertex = raster::view(face, position, texcoord);
-  std::mt19937 random = generatorOf(device.seed, position);
+  std::minstd_rand random = generatorOf(device.seed, position);
   const auto error = [&](const glm::vec3& row) {
     double sizes = 0;
     for (int k = 0; k < 3; ++k)

@@ -16,7 +16,7 @@ cd "$2"
 "$1" -q vector calibrate --probes probes >/dev/null
 # Chromium starts without an answer now and then on a busy machine. A second start after that is no second try for a
 # wrong picture: only a time-out (124) gets one.
-draw() { timeout 30 node "$page/draw_suite.mjs" "$1" "drawn-$1" "$browser" "$2"; }
+draw() { timeout 60 node "$page/draw_suite.mjs" "$1" "drawn-$1" "$browser" "$2"; }
 for vectors in suite probes; do
   draw $vectors "$3" || { [ $? = 124 ] && draw $vectors "$3"; }
 done

@@ -43,7 +43,7 @@ const only = process.argv[2];
 const hemitex = process.env.HEMITEX ?? join(top, "build/release/bin/hemitex");
 
 async function until(condition, what) {
-  const end = Date.now() + 20000;
+  const end = Date.now() + 180000;  // only a page that hangs takes longer, on a busy machine too
   while (!(await condition())) {
     assert.ok(Date.now() < end, `waited in vain: ${what}`);
     await new Promise((done) => setTimeout(done, 50));
@@ -90,7 +90,7 @@ function toolsOf(page, id, folder) {
   };
 }
 
-const shown = (page, id) => page.locator(`main[data-shown="${id}"]`).waitFor({timeout: 20000});
+const shown = (page, id) => page.locator(`main[data-shown="${id}"]`).waitFor({timeout: 180000});
 
 /** A page whose console messages, errors and requests are kept. */
 async function openPage(browser, window) {
