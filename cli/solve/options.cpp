@@ -144,7 +144,7 @@ void addOmissions(Command command, SolveOptions& options) {
       "--no-textures", options.noTextures,
       "do not write textures, nor scene.obj, scene.mtl and scene.glb, which show them; render.png shows elements "
       "without filtering. For scenes of many millions of elements.");
-  for (const char* ofTextures : {"--filter", "--magnify", "--report", "--lightmap"})
+  for (const char* ofTextures : {"--filter", "--magnify", "--lightmap"})
     noTextures.excludes(command.option(ofTextures));
 }
 
@@ -162,15 +162,14 @@ void addLongRunOptions(Command command, LongRunOptions& longRun) {
   const Option checkpoint = command.addOutputFile(
       "--checkpoint", longRun.checkpoint,
       "store the solution in this file from time to time, and after a signal that stops the run", "FILE");
-  const Option resume = command.addPath("--resume", longRun.resume,
-                                        "go on from a file of --checkpoint, with the same scene and options; the "
-                                        "result is that of a run without a stop",
-                                        "FILE");
+  command.addPath("--resume", longRun.resume,
+                  "go on from a file of --checkpoint, with the same scene and options; the "
+                  "result is that of a run without a stop",
+                  "FILE");
   addPositive(command, "--every", longRun.every, 1e6, "seconds between two checkpoints (default 60)").needs(checkpoint);
   addChoice<bool>(command, "--progress", longRun.isForPrograms, {{"bar", false}, {"json", true}},
                   "show progress as a bar on a terminal, or as lines of JSON on stderr for programs (default "
                   "bar)");
-  for (const Option& option : {checkpoint, resume}) option.excludes(command.option("--edits"));
 }
 
 void addBands(Command command, std::filesystem::path& bands) {

@@ -22,6 +22,7 @@
 #include "radiosity/textures/lit_scene.h"
 #include "raster/base/file_io.h"
 #include "raster/base/input_error.h"
+#include "reference/base/hashes/sha256.h"
 #include "reference/base/stopwatch.h"
 
 namespace hemitex::cli {
@@ -59,7 +60,9 @@ ordered_json writeFrame(const std::filesystem::path& folder, std::size_t number,
   Console& console = monitor.console();
   Laps laps;
   Convergence convergence;
-  const radiosity::UpdateCost cost = dynamic.update(frame.edits, monitor.progressOf(first.options.solver, convergence));
+  const std::optional<radiosity::Snapshot> snapshot = monitor.begin();
+  const radiosity::UpdateCost cost = dynamic.update(frame.edits, monitor.progressOf(first.options.solver, convergence),
+                                                    snapshot ? &*snapshot : nullptr);
   console.endProgress();
   laps.lap("update_s");
   const std::string name = "frame-" + std::to_string(number);
@@ -109,6 +112,19 @@ std::set<std::filesystem::path> inputFiles(const SolveOptions& options, const Co
   for (const Frame& frame : frames) files.insert(frame.files.begin(), frame.files.end());
   files.insert(viewFileOf(options.scene.file));
   return files;
+}
+
+/// What a checkpoint belongs to, beside the scene: equal for equal settings and edits.
+std::string textOfRun(const SolveOptions& options, const radiosity::Scene& scene, const std::vector<Frame>& frames) {
+  std::string text = toText(solutionSettings(options));
+  std::set<std::filesystem::path> added;
+  for (const Frame& frame : frames) {
+    text += toText(frame.written);
+    added.insert(frame.files.begin(), frame.files.end());
+  }
+  for (const std::filesystem::path& file : scene.files) added.erase(file);
+  for (const std::filesystem::path& file : added) text += reference::sha256OfFile(file);
+  return text;
 }
 
 /// Loads the scene, reads its bands, and changes its materials as the options ask: a colour means the bands that it
@@ -170,7 +186,8 @@ ordered_json writeResult(const radiosity::Scene& scene, const radiosity::Camera&
   console.warnings(writeSolved(staging.folder(), solved, lit));
   ordered_json text = description(solved, lit);
   std::optional<ShownScene> shown;
-  if (options.report) shown = shownScene(staging.folder(), solved, std::move(lit->scene), result.convergence);
+  if (options.report)
+    shown = shownScene(staging.folder(), solved, lit ? std::move(lit->scene) : scene, result.convergence);
   lit.reset();  // textures take much memory
   laps.lap("write_s");
   text["captured"] = result.light.captured;
@@ -227,7 +244,7 @@ void solve(SolveOptions asked, Context& context) {
   Staging staging({.place = asked.output, .writer = solveWriter, .inputs = inputs});
   radiosity::Discretization unsplit = discretizationOf(asked.discretization, scene);
   staging.requirePlaces(outputNames(asked, scene, unsplit, frames.size()));
-  Monitor monitor(console, asked.longRun, scene, toText(solutionSettings(asked)), inputs);
+  Monitor monitor(console, asked.longRun, scene, textOfRun(asked, scene, frames), inputs);
   laps.lap("discretize_s");
   SolveResult result = solveScene(asked, scene, camera, std::move(unsplit), monitor);
   warnOf(result, console);

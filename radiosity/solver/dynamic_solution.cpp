@@ -273,11 +273,11 @@ DynamicSolution::DynamicSolution(Scene scene, Discretization discretization, Sol
   settings_.discretization = followingScene(world_->scene, settings_.discretization);
 }
 
-UpdateCost DynamicSolution::update(std::span<const Edit> edits, const Progress& progress) {
-  return updateTo(edited(world_->scene, removed_, edits), progress);
+UpdateCost DynamicSolution::update(std::span<const Edit> edits, const Progress& progress, const Snapshot* snapshot) {
+  return updateTo(edited(world_->scene, removed_, edits), progress, snapshot);
 }
 
-UpdateCost DynamicSolution::updateTo(EditedScene edit, const Progress& progress) {
+UpdateCost DynamicSolution::updateTo(EditedScene edit, const Progress& progress, const Snapshot* snapshot) {
   Discretization shooting = carried(discretization(), edit, settings_.discretization);
   auto next = std::make_unique<DrawnScene>(std::move(edit.scene), std::move(shooting), layOut_, settings_.drawing,
                                            makeRenderer_);
@@ -306,6 +306,7 @@ UpdateCost DynamicSolution::updateTo(EditedScene edit, const Progress& progress)
        .rowOf = [this](const Patch& patch) { return rowByViews(world_->drawn.uncorrected(), rows_.ofViews, patch); },
        .split = world_->drawn.splits(),
        .settings = settings_.solver,
+       .snapshot = snapshot,
        .isContinued = true},
       {std::move(shot), {std::move(rows_.ofPatches), RowCache(0)}}, progress);
   rows_.ofPatches = std::move(solution_.continuation->rows.ofPatches);

@@ -73,11 +73,12 @@ class DynamicSolution {
   DynamicSolution(Scene scene, Discretization discretization, Solution solution, DynamicSettings settings,
                   LayoutFactory layOut, RendererFactory makeRenderer = softwareRenderer);
 
-  /// Edits the scene and updates the solution; counts shots from here. Throws InputError as `edited` and the layout,
-  /// and then changes nothing.
-  UpdateCost update(std::span<const Edit> edits, const Progress& progress = {});
+  /// Edits the scene and updates the solution; counts shots from here. With a snapshot of the same update goes on from
+  /// there. Throws InputError as `edited` and the layout, and then changes nothing; for a snapshot of another solution
+  /// the object must not be used afterwards.
+  UpdateCost update(std::span<const Edit> edits, const Progress& progress = {}, const Snapshot* snapshot = nullptr);
   /// As update, for an edit of scene().
-  UpdateCost updateTo(EditedScene edit, const Progress& progress = {});
+  UpdateCost updateTo(EditedScene edit, const Progress& progress = {}, const Snapshot* snapshot = nullptr);
 
   const Scene& scene() const { return world_->scene; }
   /// Its patches are those of the solution.

@@ -180,9 +180,9 @@ bool areFluxes(const BandTable& table) {
   return std::all_of(table.values.begin(), table.values.end(), [](double flux) { return flux >= 0; });
 }
 
-/// Throws InputError for a stored solution with values that no solution of the scene has: negative flux, or flux that
-/// came from nowhere.
-void requireBalanced(const ShootingState& state, const Snapshot& snapshot) {
+/// Throws InputError for a stored solution with values that no solution of the scene has: flux that came from nowhere,
+/// or negative flux, which only an edit retracts.
+void requireBalanced(const ShootingState& state, const Snapshot& snapshot, bool isEdited) {
   constexpr double tolerance = 1e-6;  // sums of a solution balance to 1e-12
   const Energy energy = state.energy();
   const double rounding = tolerance * bandSum(energy.emitted);
@@ -194,8 +194,9 @@ void requireBalanced(const ShootingState& state, const Snapshot& snapshot) {
     areLosses = areLosses && toBacks + rounding >= 0 && lost - toBacks + rounding >= 0;
   }
   const bool areSizes = snapshot.shots >= 0 && snapshot.absorbedByBacks.size() <= state.patches().list.size();
-  if (!areSizes || !areLosses || !(missing <= rounding) || !areFluxes(snapshot.state.shot) ||
-      !areFluxes(snapshot.state.received) || !areFluxes(snapshot.state.unshot) || !areFluxes(snapshot.absorbedByBacks))
+  const bool areAllFluxes = areFluxes(snapshot.state.shot) && areFluxes(snapshot.state.received) &&
+                            areFluxes(snapshot.state.unshot) && areFluxes(snapshot.absorbedByBacks);
+  if (!areSizes || !(missing <= rounding) || (!isEdited && !(areLosses && areAllFluxes)))
     throw raster::InputError("the stored solution does not balance: it is not one of this scene");
 }
 
@@ -221,6 +222,25 @@ Solution finished(const SolveInput& input, Solution solution, ShootingState stat
   return solution;
 }
 
+/// Solves from the light of `begun`, or from the snapshot of a solution that began with it.
+Solution shootFrom(SolveInput input, Continuation begun, const Progress& progress, bool isEdited) {
+  const Scene& scene = input.scene;
+  const Discretization& discretization = input.discretization;
+  Snapshot past{.absorbedByBacks = BandTable(0, bandCount(scene))};
+  if (input.snapshot) {
+    past = *input.snapshot;
+    splitAgain(input, past);
+  }
+  ShootingState state =
+      input.snapshot
+          ? ShootingState(scene, discretization, std::move(input.patches), std::move(begun.light), past.state)
+          : ShootingState(scene, discretization, std::move(input.patches), std::move(begun.light));
+  if (input.snapshot) requireBalanced(state, past, isEdited);
+  BandTable absorbedByBacks = past.absorbedByBacks;
+  Solution solution = shoot(input, state, begun.rows.ofPatches, absorbedByBacks, progress, past);
+  return finished(input, std::move(solution), std::move(state), std::move(absorbedByBacks), std::move(begun.rows));
+}
+
 }  // namespace
 
 double defaultResidual(const Scene& scene) {
@@ -230,29 +250,15 @@ double defaultResidual(const Scene& scene) {
 
 Solution solve(SolveInput input, const Progress& progress) {
   assert(!input.patches.list.empty());
-  const Snapshot past = input.snapshot ? *input.snapshot : Snapshot();
-  if (input.snapshot) splitAgain(input, past);
-  const Scene& scene = input.scene;
-  const Discretization& discretization = input.discretization;
-  const std::size_t bands = bandCount(scene);
-  ShotLight nothing = input.snapshot ? ShotLight() : nothingShot(input.patches, bands, std::move(input.outside));
-  ShootingState state =
-      input.snapshot
-          ? ShootingState(scene, discretization, std::move(input.patches), std::move(input.outside), past.state)
-          : ShootingState(scene, discretization, std::move(input.patches), std::move(nothing));
-  if (input.snapshot) requireBalanced(state, past);
+  ShotLight nothing = input.snapshot ? ShotLight{.outside = std::move(input.outside)}
+                                     : nothingShot(input.patches, bandCount(input.scene), std::move(input.outside));
   const std::size_t bytes = input.settings.rowCacheBytes;
   KeptRows rows{RowCache(input.isContinued ? bytes / 2 : bytes), RowCache(bytes / 2)};
-  BandTable absorbedByBacks = input.snapshot ? past.absorbedByBacks : BandTable(0, bands);
-  Solution solution = shoot(input, state, rows.ofPatches, absorbedByBacks, progress, past);
-  return finished(input, std::move(solution), std::move(state), std::move(absorbedByBacks), std::move(rows));
+  return shootFrom(std::move(input), {std::move(nothing), std::move(rows)}, progress, false);
 }
 
 Solution refine(SolveInput input, Continuation past, const Progress& progress) {
-  ShootingState state(input.scene, input.discretization, std::move(input.patches), std::move(past.light));
-  BandTable absorbedByBacks(0, bandCount(input.scene));
-  Solution solution = shoot(input, state, past.rows.ofPatches, absorbedByBacks, progress);
-  return finished(input, std::move(solution), std::move(state), std::move(absorbedByBacks), std::move(past.rows));
+  return shootFrom(std::move(input), std::move(past), progress, true);
 }
 
 }  // namespace hemitex::radiosity

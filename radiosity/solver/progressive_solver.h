@@ -115,8 +115,8 @@ using Progress = std::function<bool(const Step&)>;
 /// Throws InputError for a snapshot of another solution.
 Solution solve(SolveInput input, const Progress& progress = {});
 
-/// As above from light that was shot by the patches of the input. Counts shots from here; the outside flux and the
-/// snapshot of the input are not used.
+/// As above from light that was shot by the patches of the input. Counts shots from here; the outside flux of the input
+/// is not used.
 Solution refine(SolveInput input, Continuation past, const Progress& progress = {});
 
 }  // namespace hemitex::radiosity

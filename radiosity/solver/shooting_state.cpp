@@ -206,19 +206,19 @@ ShootingState::ShootingState(const Scene& scene, const Discretization& discretiz
   lostToBacks_.add(light_.lostToBacks);
 }
 
-ShootingState::ShootingState(const Scene& scene, const Discretization& discretization, Patches patches,
-                             OutsideFlux outside, SavedShots saved)
+ShootingState::ShootingState(const Scene& scene, const Discretization& discretization, Patches patches, ShotLight begun,
+                             SavedShots saved)
     : discretization_(discretization),
       materials_(scene, discretization),
       patches_(std::move(patches)),
-      light_{std::move(saved.shot), std::move(saved.received), saved.lost.sum, saved.lostToBacks.sum},
+      light_{std::move(saved.shot), std::move(saved.received), saved.lost.sum,          saved.lostToBacks.sum,
+             begun.stale,           begun.lastEmitted,         std::move(begun.outside)},
       unshot_(std::move(saved.unshot)),
       emitted_(emittedFlux(discretization, materials_)),
       lost_(std::move(saved.lost)),
       lostToBacks_(std::move(saved.lostToBacks)) {
-  addTo(emitted_, sumOf(outside));
-  light_.outside = std::move(outside);
-  light_.lastEmitted = bandSum(emitted_);
+  addTo(emitted_, sumOf(light_.outside));
+  if (bandSum(emitted_) > 0) light_.lastEmitted = bandSum(emitted_);
 }
 
 SavedShots ShootingState::saved() const { return {light_.shot, light_.received, unshot_.flux(), lost_, lostToBacks_}; }

@@ -46,17 +46,18 @@ struct Energy {
 
 /// The flux that was shot, in W per band, and where it arrived: all that is needed to continue.
 struct ShotLight {
-  BandTable shot;      ///< one per patch
-  BandTable received;  ///< one per element
-  Bands lost;          ///< left the scene or was absorbed by backs
-  Bands lostToBacks;   ///< part of `lost` that backs absorbed
+  BandTable shot = {};      ///< one per patch
+  BandTable received = {};  ///< one per element
+  Bands lost = {};          ///< left the scene or was absorbed by backs
+  Bands lostToBacks = {};   ///< part of `lost` that backs absorbed
   /// Upper bound of stale flux, bands summed: it was shot along rows that were not updated. Part of the residual.
   double stale = 0;
   double lastEmitted = 0;    ///< bands summed: the reference of the residual when nothing is emitted
   OutsideFlux outside = {};  ///< included in `received`
 };
 
-/// A state between two shots, with the rounding errors of its sums. Light from outside is computed again.
+/// A state between two shots, with the rounding errors of its sums. Light from outside and stale flux are computed
+/// again.
 struct SavedShots {
   BandTable shot;      ///< one per patch
   BandTable received;  ///< one per element
@@ -74,8 +75,9 @@ class ShootingState {
   /// outlive this object.
   ShootingState(const Scene& scene, const Discretization& discretization, Patches patches, ShotLight light);
 
-  /// Continues from a saved state of the same scene, discretization and patches with the same bits.
-  ShootingState(const Scene& scene, const Discretization& discretization, Patches patches, OutsideFlux outside,
+  /// Continues from a saved state of the same scene, discretization and patches with the same bits. `begun` is the
+  /// light from which that solution began, of which its shots and what they reached are not used.
+  ShootingState(const Scene& scene, const Discretization& discretization, Patches patches, ShotLight begun,
                 SavedShots saved);
   SavedShots saved() const;
 

@@ -19,9 +19,9 @@ struct SplitCall {
 
 struct Snapshot {
   int shots = 0;
-  std::vector<SplitCall> splits;  ///< in the order of the calls
-  BandTable absorbedByBacks;      ///< see Solution; in bands
-  SavedShots state;
+  std::vector<SplitCall> splits = {};  ///< in the order of the calls
+  BandTable absorbedByBacks = {};      ///< see Solution; in bands
+  SavedShots state = {};
 };
 
 /// The snapshot as bytes: in three bands 24 per element, 88 per patch.

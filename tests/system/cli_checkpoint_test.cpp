@@ -1,5 +1,6 @@
 /// Long runs of `hemitex solve`: checkpoints, signals, and folders that are whole.
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -21,14 +22,25 @@ const std::string bounded = "solve room.obj --texels 8 --patch 4 --max-error 0.0
 const std::string adaptive =
     "solve room.obj --texels 32 --adaptive 0.0002 --resolution 64 --residual 1e-4 --size 40x30 ";
 
-/// The files of a result without the times of solution.json.
+/// Removes the times from a solution.json and from its frames.
+void removeTimes(json& value) {
+  if (value.is_object()) value.erase("times");
+  if (value.is_structured())
+    for (json& part : value) removeTimes(part);
+}
+
+/// The files of a result without times, and without hashes, which are also those of times.
 std::map<std::string, std::string> resultIn(const Shell& shell, const std::string& folder) {
   std::map<std::string, std::string> result;
   for (const auto& [name, content] : shell.files())
     if (name.starts_with(folder + "/")) result[name.substr(folder.size() + 1)] = content;
-  json solution = json::parse(result.at("solution.json"));
-  solution.erase("times");
-  result["solution.json"] = solution.dump();
+  for (auto& [name, content] : result)
+    if (name.ends_with("solution.json")) {
+      json solution = json::parse(content);
+      removeTimes(solution);
+      solution.erase("files");
+      content = solution.dump();
+    }
   return result;
 }
 
@@ -49,6 +61,38 @@ TEST_CASE("A solve that is killed again and again ends with the bytes of one tha
   INFO(last.err);
   REQUIRE(last.exitCode == 0);
   CHECK(resultIn(shell, "pieces") == resultIn(shell, "whole"));
+}
+
+TEST_CASE("A solve with edits that is stopped in any frame goes on there, to the bytes of one that ran through",
+          "[checkpoint]") {
+  const Shell shell;
+  writeAll(shell.file("box.obj"), "v 0 -1 0\nv 0.5 -1 0\nv 0.5 0 0\nv 0 0 0\ng sheet\nf 1 2 3 4\n");
+  writeAll(shell.file("edits.json"), R"({"frames": [
+    [{"add": "box.obj"}, {"reflectance": "floor", "to": [0.2, 0.2, 0.2]}],
+    [{"move": "sheet", "by": [0.25, 0, 0.25]}, {"emission": "ceiling/lamp", "to": [0, 5, 5]}],
+    [{"remove": "sheet"}]]})");
+  const std::string edited = plain + "--edits edits.json ";
+  shell.output(edited + "-o whole");
+  const std::map<std::string, std::string> whole = resultIn(shell, "whole");
+  // Each signal comes later in the run, so that it stops another frame.
+  bool isStopped = true;
+  std::set<std::size_t> lengths;
+  for (int pause = 1; isStopped; ++pause) {
+    const std::string resume = pause == 1 ? "" : "--resume c ";
+    const Outcome outcome = shell.execute("timeout -s INT " + std::to_string(0.3 * std::pow(1.2, pause)) + " " +
+                                          program + edited + "-o pieces --checkpoint c --every 1000 -q " + resume);
+    INFO(outcome.err);
+    REQUIRE(pause < 40);
+    isStopped = outcome.exitCode != 0;
+    const std::string kept = readAll(shell.file("c"));
+    REQUIRE(kept.size() > 0);
+    lengths.insert(kept.size() / (std::size_t{1} << 12));
+  }
+  CHECK(lengths.size() >= 2);  // snapshots of several frames
+  CHECK(resultIn(shell, "pieces") == whole);
+
+  writeAll(shell.file("edits.json"), R"({"frames": [[{"emission": "ceiling/lamp", "to": [5, 5, 5]}]]})");
+  CHECK_THAT(shell.run(edited + "-o other --resume c").err, Contains("belongs to other settings"));
 }
 
 TEST_CASE("A signal ends a solve after its shot, with its result and the way to go on", "[checkpoint]") {

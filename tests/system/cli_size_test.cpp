@@ -77,7 +77,7 @@ TEST_CASE("Commands say that a folder of hemitex solve --no-textures holds no li
     CHECK(outcome.exitCode == 2);
     CHECK(outcome.err.find("without --no-textures") != std::string::npos);
   }
-  for (const char* other : {"--report", "--filter bilinear", "--magnify 2"}) {
+  for (const char* other : {"--lightmap", "--filter bilinear", "--magnify 2"}) {
     const Outcome outcome = shell.run(quickSolve + "-o other --no-textures " + other);
     INFO(other);
     CHECK(outcome.exitCode == 2);
@@ -85,6 +85,13 @@ TEST_CASE("Commands say that a folder of hemitex solve --no-textures holds no li
   }
   shell.output(quickSolve + "-o small");
   shell.output("render small/scene.obj -o picture.png");
+}
+
+TEST_CASE("The page of hemitex solve --no-textures says that it has no room to show", "[cli]") {
+  const Shell shell;
+  shell.output(quickSolve + "-o small --no-textures --report");
+  CHECK_FALSE(shell.files().contains("small/scene.glb"));
+  CHECK_THAT(readAll(shell.file("small/report.html")), Catch::Matchers::Contains(R"("glb": "missing")"));
 }
 
 TEST_CASE("hemitex solve refuses more than 2^24 elements before it starts, unless --insist is given", "[cli]") {

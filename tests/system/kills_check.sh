@@ -28,7 +28,7 @@ command_of() {
       words=(solve "$scene" --texels 16 --adaptive 0.001 --resolution 64 --size 40x30 -q "${checkpoint[@]}" -o "$2")
       ;;
     lightmap) words=("${solve[@]}" --lightmap --report "${checkpoint[@]}" -o "$2") ;;
-    edits) words=("${solve[@]}" --edits moves.json -o "$2") ;;
+    edits) words=("${solve[@]}" --edits moves.json "${checkpoint[@]}" -o "$2") ;;
     watch) words=(watch "${solve[@]:1}" -o "$2") ;;
     matrix | ranks)
       words=(formfactors "$scene" --all --facets --texels 16 --resolution 256 -q -o "$2/F.npz")
