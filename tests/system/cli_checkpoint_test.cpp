@@ -29,7 +29,7 @@ void removeTimes(json& value) {
     for (json& part : value) removeTimes(part);
 }
 
-/// The files of a result without times, and without hashes, which are also those of times.
+/// The files of a result without times.
 std::map<std::string, std::string> resultIn(const Shell& shell, const std::string& folder) {
   std::map<std::string, std::string> result;
   for (const auto& [name, content] : shell.files())
@@ -38,7 +38,6 @@ std::map<std::string, std::string> resultIn(const Shell& shell, const std::strin
     if (name.ends_with("solution.json")) {
       json solution = json::parse(content);
       removeTimes(solution);
-      solution.erase("files");
       content = solution.dump();
     }
   return result;

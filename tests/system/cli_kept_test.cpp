@@ -19,7 +19,7 @@ using nlohmann::json;
 namespace {
 
 const std::string program = "'" HEMITEX_PROGRAM "' ";
-const std::string matrix = "formfactors room.obj --all --facets --texels 32 --resolution 256 --threads 1 -o F.npz";
+const std::string matrix = "formfactors room.obj --all --facets --texels 32 --resolution 512 --threads 1 -o F.npz";
 
 std::string withHash(const std::string& text) { return text + ' ' + sha256(text) + '\n'; }
 
