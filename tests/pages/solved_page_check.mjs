@@ -242,7 +242,7 @@ async function hold(code, milliseconds) {
 }
 
 /// A walk moves the camera and its target by the same step: along the horizontal direction of view, to its right, or
-/// along `up`. A key that is up moves nothing.
+/// along `up`, also where the key goes up before the page draws a frame. A key that is up moves nothing.
 async function checkWalk() {
   await clickOn("#start");
   await evaluate("document.querySelector('#room canvas').focus()");
@@ -250,9 +250,9 @@ async function checkWalk() {
   for (const [codes, wayOf] of [[["KeyW", "ArrowUp"], forward => forward], [["KeyD", "ArrowRight"], forward => cross(forward, up)],
                                 [["KeyE", "PageUp"], () => up], [["KeyS"], forward => forward.map(value => -value)],
                                 [["KeyQ"], () => up.map(value => -value)]])
-    for (const code of codes) {
+    for (const [i, code] of codes.entries()) {
       const before = await camera(), scroll = await evaluate("scrollY");
-      await hold(code, 300);
+      await hold(code, 300 * i);
       const after = await camera(), step = minus(after.eye, before.eye), length = Math.hypot(...step);
       const way = wayOf(unit(across(minus(before.look_at, before.eye))));
       require(length > 0 && dot(step, way) > 0.999 * length, `${code} moves the camera by ${step}`);
