@@ -18,6 +18,8 @@ struct FormFactorRow {
   std::vector<std::uint64_t> shares;    ///< one per element, above 0
   std::uint64_t background = 0;         ///< share that left the scene
   std::uint64_t back = 0;               ///< share absorbed by the backs of surfaces
+
+  bool operator==(const FormFactorRow&) const = default;
 };
 
 struct Patch;

@@ -1,9 +1,9 @@
 #include "radiosity/form_factors/near_receivers.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
+#include <numbers>
 #include <tuple>
 
 #include "radiosity/discretization/patch_points.h"
@@ -41,6 +41,8 @@ std::vector<bool> smallElements(const Scene& scene, const std::vector<Element>& 
 
 }  // namespace
 
+double nearDistanceOf(const Patch& patch) { return 2 * std::sqrt(patch.area / (std::numbers::pi * nearShare)); }
+
 NearReceivers::NearReceivers(const Scene& scene, const Discretization& discretization, const IdLayout& layout,
                              raster::ItemBufferRenderer& renderer)
     : scene_(scene),
@@ -61,20 +63,23 @@ std::optional<FormFactorRow> NearReceivers::corrected(const Patch& patch, const 
     shares[i] = factor / ratio * static_cast<double>(wholeShare);
     isChanged = true;
   }
+  known_.set(patch.number, isChanged ? NearRows::State::Corrected : NearRows::State::Drawn);
   if (!isChanged) return std::nullopt;
   return closedRow(row.elements, shares, static_cast<double>(row.background), static_cast<double>(row.back));
 }
 
+View NearReceivers::viewFrom(std::uint32_t element) {
+  const SurfacePoint centre = elementCentre(scene_, discretization_, element);
+  return rows_.viewFrom({.surface = discretization_.elements[element].surface,
+                         .point = centre,
+                         .up = upOf(Orientation::Turned, centre.normal, element, 0)});
+}
+
 /// The form factor from an element to a patch.
 double NearReceivers::factorTo(const Patch& patch, std::uint32_t element) {
-  auto found = ofElement_.find(element);
-  if (found == ofElement_.end()) {
-    const SurfacePoint centre = elementCentre(scene_, discretization_, element);
-    const ViewPoint from{.surface = discretization_.elements[element].surface,
-                         .point = centre,
-                         .up = upOf(Orientation::Turned, centre.normal, element, 0)};
-    found = ofElement_.emplace(element, rows_.ofPoints(std::array{from})).first;
-  }
+  auto found = known_.ofElements.find(element);
+  if (found == known_.ofElements.end())
+    found = known_.ofElements.emplace(element, rows_.ofView(viewFrom(element))).first;
   const FormFactorRow& row = found->second;
   std::uint64_t share = 0;
   auto at = row.elements.begin();

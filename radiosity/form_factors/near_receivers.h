@@ -32,6 +32,24 @@ namespace hemitex::radiosity {
 /// The smallest form factor from an element to a patch near it.
 inline constexpr double nearShare = 1.0 / 32;
 
+/// What a solution has found of small elements. Another scene, after an edit, takes over what is still right.
+struct NearRows {
+  enum class State : std::uint8_t { Unknown, Drawn, Corrected };
+
+  std::map<std::uint32_t, FormFactorRow> ofElements;  ///< rows of small elements, drawn on demand
+  std::vector<State> ofPatches;                       ///< their rows, by patch; further ones are unknown
+
+  State of(std::uint32_t patch) const { return patch < ofPatches.size() ? ofPatches[patch] : State::Unknown; }
+  void set(std::uint32_t patch, State state) {
+    if (patch >= ofPatches.size()) ofPatches.resize(patch + std::size_t{1});
+    ofPatches[patch] = state;
+  }
+};
+
+/// The distance from the centre of a patch, in units of the scene, beyond which no element is near it: F_ep is at most
+/// A_p / (pi d^2) at the distance d of the patch. Twice that, because patches may be up to 40 times as long as wide.
+double nearDistanceOf(const Patch& patch);
+
 class NearReceivers {
  public:
   /// `layout` is that of the discretization; the renderer draws its draw list. All referenced objects must outlive this
@@ -43,14 +61,19 @@ class NearReceivers {
   /// The row that was drawn for a patch with the shares of small elements near it replaced; nothing if there are none.
   std::optional<FormFactorRow> corrected(const Patch& patch, const FormFactorRow& row);
 
+  bool isSmall(std::uint32_t element) const { return isSmall_[element]; }
+  /// The view from a small element.
+  View viewFrom(std::uint32_t element);
+  NearRows& known() { return known_; }
+
  private:
   double factorTo(const Patch& patch, std::uint32_t element);
 
   const Scene& scene_;
   const Discretization& discretization_;
   ProjectedFormFactors rows_;
-  std::vector<bool> isSmall_;                         ///< one per element
-  std::map<std::uint32_t, FormFactorRow> ofElement_;  ///< rows of small elements, drawn on demand
+  std::vector<bool> isSmall_;  ///< one per element
+  NearRows known_;
 };
 
 }  // namespace hemitex::radiosity

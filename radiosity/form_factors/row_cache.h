@@ -8,6 +8,7 @@
 #include <map>
 
 #include "radiosity/form_factors/form_factor_row.h"
+#include "radiosity/form_factors/near_receivers.h"
 
 namespace hemitex::radiosity {
 
@@ -38,11 +39,12 @@ class RowCache {
   std::map<std::uint64_t, std::list<Entry>::iterator> byNumber_;
 };
 
-/// Rows of patches, and of the views that they are means of. Windows update rows of views exactly, so that their means
-/// equal those of a complete drawing.
+/// Rows of patches, and of the views that they are made from. Windows update rows of views exactly, so that what is
+/// made from them equals a complete drawing.
 struct KeptRows {
   RowCache ofPatches;
   RowCache ofViews;  ///< by view number (see dynamic_solution.h)
+  NearRows near = {};
 };
 
 }  // namespace hemitex::radiosity

@@ -66,6 +66,8 @@ class SceneFormFactors {
   /// A row that was drawn for a patch, with the shares of small elements near it replaced (see NearReceivers); nothing
   /// if there are none, or if no patch is to be split.
   std::optional<FormFactorRow> corrected(const Patch& patch, const FormFactorRow& drawn);
+  /// Null if no patch is to be split.
+  NearReceivers* near() { return near_ ? &*near_ : nullptr; }
   /// The parts of patches during a solution; empty if no patch is to be split. Keeps a reference to this object.
   PatchSplit splits();
   /// The rows of low resolution that decide how patches are split; empty if no patch is to be split. Keeps a reference

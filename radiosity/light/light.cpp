@@ -68,8 +68,7 @@ class Solutions {
     PatchRows rows{.rowOf = drawn.rowOf(),
                    .split = drawn.splits(),
                    .captured = formFactor(drawn.uncorrected().projection().captured)};
-    if (settings.isContinued)
-      rows.rowOf = [&](const Patch& patch) { return rowByViews(drawn.uncorrected(), ofViews, patch); };
+    if (settings.isContinued) rows.rowOf = [&](const Patch& patch) { return rowByViews(drawn, ofViews, patch); };
     if (hooks_.rows) rows = hooks_.rows(std::move(rows), scene_, result_.discretization);
     std::optional<RowsAhead> ahead;
     if (hooks_.ranks) {
@@ -99,7 +98,10 @@ class Solutions {
     }
     result_.captured = rows.captured;
     result_.discretization.patches = std::move(result_.solution.patches);
-    if (result_.solution.continuation) result_.solution.continuation->rows.ofViews = std::move(ofViews);
+    if (auto& continuation = result_.solution.continuation) {
+      continuation->rows.ofViews = std::move(ofViews);
+      if (NearReceivers* near = drawn.near()) continuation->rows.near = std::move(near->known());
+    }
   }
 
   const Scene& scene_;

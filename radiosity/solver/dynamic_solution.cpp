@@ -105,10 +105,32 @@ LeftRows leaveRows(const std::vector<double>& bounds, double allowed) {
   return left;
 }
 
+/// The row of a patch before its correction, from the cached rows of its views.
+FormFactorRow drawnByViews(ProjectedFormFactors& rows, RowCache& ofViews, const Patch& patch) {
+  if (viewCount(patch) == 0) {
+    const FormFactorRow* known = ofViews.find(viewNumber(patch.number, 0));
+    return known != nullptr ? *known : rows.ofPatch(patch);
+  }
+  const std::vector<View> views = rows.viewsOfPatch(patch);
+  if (views.size() == 1) return rows.ofView(views.front());
+  std::vector<WeightedRow> weighted;
+  for (std::uint32_t view = 0; view < views.size(); ++view) {
+    const auto drawn = [&] { return rows.ofView(views[view]); };
+    weighted.push_back({ofViews.row(viewNumber(patch.number, view), drawn), views[view].area});
+  }
+  return meanOf(weighted);
+}
+
+/// A row in new numbers with part of it exchanged, or drawn anew.
+FormFactorRow changed(const FormFactorRow& known, const FormFactorRow& less, const RowChange& change) {
+  if (change.isWhole) return change.after;
+  return change.isNothing() ? known : exchanged(known, less, change.after);
+}
+
 /// Updates the shot light and the cached rows for an edit.
 class LightUpdate {
  public:
-  LightUpdate(DrawnScene& before, DrawnScene& after, const std::vector<Origin>& origins, const KeptRows& kept,
+  LightUpdate(DrawnScene& before, DrawnScene& after, const std::vector<Origin>& origins, KeptRows& kept,
               std::size_t rowCacheBytes)
       : before_(before),
         after_(after),
@@ -117,20 +139,29 @@ class LightUpdate {
         change_{before.drawn.uncorrected(), after.drawn.uncorrected(), ChangedSurfaces(before.scene, numbers_.isGone),
                 ChangedSurfaces(after.scene, numbers_.isCome)},
         kept_(kept),
-        rows_{RowCache(rowCacheBytes / 2), RowCache(rowCacheBytes / 2)} {}
+        rows_{RowCache(rowCacheBytes / 2), RowCache(rowCacheBytes / 2)} {
+    carryNearRows();
+  }
 
   /// `outside` is the flux from outside after the edit, `mayLeave` the flux that may become stale.
   void update(const ShotLight& light, OutsideFlux outside, double mayLeave) {
     carry(light, std::move(outside));
     const std::vector<double> shares = largestShares();
-    std::vector<double> bounds;
-    for (std::size_t p = 0; p < shares.size(); ++p) bounds.push_back(2 * shares[p] * sizeSum(light.shot[p]));
+    std::vector<double> bounds(shares.size());
+    std::vector<bool> isCorrected(shares.size());
+    for (std::uint32_t p = 0; p < shares.size(); ++p) {
+      isCorrected[p] = !areZero(light.shot[p]) && mayBeCorrected(p);
+      // The bound holds for what is drawn, not for its correction.
+      if (!isCorrected[p]) bounds[p] = 2 * shares[p] * sizeSum(light.shot[p]);
+    }
     const LeftRows left = leaveRows(bounds, mayLeave);
     light_.stale += left.stale;
     for (std::uint32_t p = 0; p < shares.size(); ++p) {
       if (!numbers_.patch[p])
         takeBack(p, light.shot[p]);
-      else if (shares[p] == 0)
+      else if (isCorrected[p])
+        redirectCorrected(p, light.shot[p]);
+      else if (isUnchanged(p, shares[p]))
         keep(p);
       else if (left.isLeft[p])
         ++cost_.rowsLeft;
@@ -146,7 +177,7 @@ class LightUpdate {
   void keepRows() {
     const std::vector<double> shares = largestShares();
     for (std::uint32_t p = 0; p < shares.size(); ++p)
-      if (numbers_.patch[p] && shares[p] == 0) keep(p);
+      if (numbers_.patch[p] && isUnchanged(p, shares[p])) keep(p);
   }
 
   ShotLight& light() { return light_; }
@@ -188,16 +219,75 @@ class LightUpdate {
     return shares;
   }
 
+  bool isSameGeometry() const { return change_.gone.empty() && change_.come.empty(); }
+
+  /// Takes over the rows of small elements whose views are unchanged.
+  void carryNearRows() {
+    NearReceivers *before = before_.drawn.near(), *after = after_.drawn.near();
+    if (!before || !after) return;
+    for (std::size_t e = 0; e < numbers_.element.size(); ++e) {
+      const std::uint32_t number = numbers_.element[e];
+      if (number != gone_ && before->isSmall(static_cast<std::uint32_t>(e)) != after->isSmall(number))
+        areOthersSmall_ = true;
+    }
+    for (const auto& [element, row] : before->known().ofElements) {
+      const std::uint32_t number = numbers_.element[element];
+      if (number == gone_) continue;
+      const View view = after->viewFrom(number);
+      if (areSameViews(before->viewFrom(element), view) && windowsOf(change_, view).empty())
+        after->known().ofElements.emplace(number, renumbered(row));
+    }
+  }
+
+  /// Whether the row of a patch that stays may be corrected, before or after the edit.
+  bool mayBeCorrected(std::uint32_t patch) {
+    NearReceivers* before = before_.drawn.near();
+    if (!before || isSameGeometry() || !numbers_.patch[patch]) return false;
+    if (areOthersSmall_) return true;
+    const Patch& old = patchBefore(patch);
+    if (before->known().of(patch) == NearRows::State::Unknown) before->corrected(old, drawnBefore(patch));
+    if (before->known().of(patch) == NearRows::State::Corrected) return true;
+    const glm::dvec3 centre = change_.rowsBefore.pointsOfPatch(old).front().point.position;
+    return std::min(change_.gone.distanceFrom(centre), change_.come.distanceFrom(centre)) < nearDistanceOf(old);
+  }
+
+  /// Whether the row of a patch that shot nothing, or that is not corrected, is unchanged.
+  bool isUnchanged(std::uint32_t patch, double share) const {
+    NearReceivers* before = before_.drawn.near();
+    if (share > 0 || areOthersSmall_) return false;
+    return !before || isSameGeometry() || before->known().of(patch) == NearRows::State::Drawn;
+  }
+
   const Patch& patchBefore(std::uint32_t number) const { return before_.discretization.patches.list[number]; }
 
   FormFactorRow renumbered(const FormFactorRow& row) const { return inNewNumbers(row, numbers_, gone_); }
 
+  /// The drawn row of a former patch, if it is in a cache as a whole.
+  const FormFactorRow* knownDrawn(std::uint32_t patch) const {
+    NearReceivers* near = before_.drawn.near();
+    if (!near || near->known().of(patch) == NearRows::State::Drawn) return kept_.ofPatches.find(patch);
+    return viewCount(patchBefore(patch)) == 0 ? kept_.ofViews.find(viewNumber(patch, 0)) : nullptr;
+  }
+
+  FormFactorRow drawnBefore(std::uint32_t patch) {
+    if (const FormFactorRow* known = knownDrawn(patch)) return *known;
+    return drawnByViews(change_.rowsBefore, kept_.ofViews, patchBefore(patch));
+  }
+
   /// The row is unchanged, and so are the rows of its views.
   void keep(std::uint32_t patch) {
     const std::uint32_t number = *numbers_.patch[patch];
+    if (NearReceivers* before = before_.drawn.near(), *after = after_.drawn.near(); before && after)
+      after->known().set(number, before->known().of(patch));
     if (const FormFactorRow* known = kept_.ofPatches.find(patch)) rows_.ofPatches.keep(number, renumbered(*known));
-    const std::uint32_t views = viewCount(patchBefore(patch));
-    for (std::uint32_t view = 0; view < views; ++view) keepView(patch, view, {});
+    keepViews(patch, RowChange());
+  }
+
+  /// Keeps the rows of views of which no change, or one each, is given.
+  void keepViews(std::uint32_t patch, const RowChange& change) {
+    const std::uint32_t views = std::max(1u, viewCount(patchBefore(patch)));
+    for (std::uint32_t view = 0; view < views; ++view)
+      keepView(patch, view, change.views.empty() ? RowChange() : change.views[view]);
   }
 
   void keepView(std::uint32_t patch, std::uint32_t view, const RowChange& change) {
@@ -205,36 +295,62 @@ class LightUpdate {
     const std::uint64_t number = viewNumber(*numbers_.patch[patch], view);
     if (change.isWhole)
       rows_.ofViews.keep(number, change.after);
-    else if (known != nullptr && change.isNothing())
-      rows_.ofViews.keep(number, renumbered(*known));
     else if (known != nullptr)
-      rows_.ofViews.keep(number, exchanged(renumbered(*known), renumbered(change.before), change.after));
+      rows_.ofViews.keep(number, changed(renumbered(*known), renumbered(change.before), change));
   }
 
   /// Retracts the shots of a patch that was moved or removed.
   void takeBack(std::uint32_t patch, std::span<const double> shot) {
     if (areZero(shot)) return;
     const FormFactorRow* known = kept_.ofPatches.find(patch);
-    receive(light_, renumbered(known != nullptr ? *known : before_.drawn.uncorrected().ofPatch(patchBefore(patch))),
+    receive(light_,
+            renumbered(known != nullptr ? *known : rowByViews(before_.drawn, kept_.ofViews, patchBefore(patch))),
             scaled(shot, -1));
     ++cost_.rowsRetracted;
+  }
+
+  /// Counts the change of a drawn row.
+  void count(const RowChange& change) { ++(change.isWhole ? cost_.rowsWhole : cost_.rowsInWindows); }
+
+  /// As redirect for a patch whose row may be corrected: the correction of the drawn row is computed again.
+  void redirectCorrected(std::uint32_t patch, std::span<const double> shot) {
+    const std::uint32_t number = *numbers_.patch[patch];
+    const Patch &old = patchBefore(patch), &now = after_.discretization.patches.list[number];
+    const FormFactorRow drawn = drawnBefore(patch);
+    const RowChange change = changeOf(change_, old, now, &drawn);
+    FormFactorRow drawnAfter;
+    if (viewCount(old) == 0 || (change.isWhole && change.views.empty())) {
+      drawnAfter = changed(renumbered(drawn), renumbered(change.before), change);
+      if (viewCount(old) == 0) rows_.ofViews.keep(viewNumber(number, 0), drawnAfter);
+    } else {
+      keepViews(patch, change);
+      drawnAfter = drawnByViews(change_.rowsAfter, rows_.ofViews, now);
+    }
+    const FormFactorRow before = renumbered(before_.drawn.corrected(old, drawn).value_or(drawn));
+    const FormFactorRow after = after_.drawn.corrected(now, drawnAfter).value_or(drawnAfter);
+    if (!change.isNothing()) count(change);
+    rows_.ofPatches.keep(number, after);
+    if (before == after) return;
+    receive(light_, before, scaled(shot, -1));
+    receive(light_, after, shot);
   }
 
   /// Redirects the shot light of a patch along the change of its row.
   void redirect(std::uint32_t patch, std::span<const double> shot) {
     const std::uint32_t number = *numbers_.patch[patch];
-    const FormFactorRow* known = kept_.ofPatches.find(patch);
+    const FormFactorRow* known = knownDrawn(patch);
     const RowChange change = changeOf(change_, patchBefore(patch), after_.discretization.patches.list[number], known);
     if (change.isNothing()) return keep(patch);
+    if (NearReceivers* near = after_.drawn.near()) near->known().set(number, NearRows::State::Drawn);
     const FormFactorRow before = renumbered(change.before);
     receive(light_, before, scaled(shot, -1));
     receive(light_, change.after, shot);
-    ++(change.isWhole ? cost_.rowsWhole : cost_.rowsInWindows);
+    count(change);
     if (change.isWhole)
       rows_.ofPatches.keep(number, change.after);
     else if (known != nullptr && !change.isRounded)
       rows_.ofPatches.keep(number, exchanged(renumbered(*known), before, change.after));
-    for (std::uint32_t view = 0; view < change.views.size(); ++view) keepView(patch, view, change.views[view]);
+    if (!change.views.empty()) keepViews(patch, change);
   }
 
   DrawnScene& before_;
@@ -242,7 +358,8 @@ class LightUpdate {
   Renumbering numbers_;
   std::uint32_t gone_;  ///< the number of all removed elements
   SceneChange change_;
-  const KeptRows& kept_;
+  bool areOthersSmall_ = false;  ///< an element counts as small in one of the scenes alone
+  KeptRows& kept_;
   KeptRows rows_;
   ShotLight light_;
   UpdateCost cost_;
@@ -250,15 +367,12 @@ class LightUpdate {
 
 }  // namespace
 
-FormFactorRow rowByViews(ProjectedFormFactors& rows, RowCache& ofViews, const Patch& patch) {
-  const std::vector<View> views = rows.viewsOfPatch(patch);
-  if (views.size() == 1) return rows.ofView(views.front());
-  std::vector<WeightedRow> weighted;
-  for (std::uint32_t view = 0; view < views.size(); ++view) {
-    const auto drawn = [&] { return rows.ofView(views[view]); };
-    weighted.push_back({ofViews.row(viewNumber(patch.number, view), drawn), views[view].area});
-  }
-  return meanOf(weighted);
+FormFactorRow rowByViews(SceneFormFactors& drawn, RowCache& ofViews, const Patch& patch) {
+  FormFactorRow row = drawnByViews(drawn.uncorrected(), ofViews, patch);
+  std::optional<FormFactorRow> corrected = drawn.corrected(patch, row);
+  if (!corrected) return row;
+  if (viewCount(patch) == 0) ofViews.keep(viewNumber(patch.number, 0), std::move(row));
+  return *std::move(corrected);
 }
 
 DynamicSolution::DynamicSolution(Scene scene, Discretization discretization, Solution solution,
@@ -270,6 +384,7 @@ DynamicSolution::DynamicSolution(Scene scene, Discretization discretization, Sol
                                           makeRenderer_)),
       rows_(std::move(solution.continuation.value().rows)),
       solution_(std::move(solution)) {
+  if (NearReceivers* near = world_->drawn.near()) near->known() = std::move(rows_.near);
   settings_.discretization = followingScene(world_->scene, settings_.discretization);
 }
 
@@ -299,16 +414,15 @@ UpdateCost DynamicSolution::updateTo(EditedScene edit, const Progress& progress,
   ShotLight shot = startsOver ? nothingShot(next->discretization.patches, bandCount(next->scene), std::move(outside))
                               : std::move(update.light());
   world_ = std::move(next);
-  solution_ = refine(
-      {.scene = scene(),
-       .discretization = discretization(),
-       .patches = std::move(world_->discretization.patches),
-       .rowOf = [this](const Patch& patch) { return rowByViews(world_->drawn.uncorrected(), rows_.ofViews, patch); },
-       .split = world_->drawn.splits(),
-       .settings = settings_.solver,
-       .snapshot = snapshot,
-       .isContinued = true},
-      {std::move(shot), {std::move(rows_.ofPatches), RowCache(0)}}, progress);
+  solution_ = refine({.scene = scene(),
+                      .discretization = discretization(),
+                      .patches = std::move(world_->discretization.patches),
+                      .rowOf = [this](const Patch& patch) { return rowByViews(world_->drawn, rows_.ofViews, patch); },
+                      .split = world_->drawn.splits(),
+                      .settings = settings_.solver,
+                      .snapshot = snapshot,
+                      .isContinued = true},
+                     {std::move(shot), {std::move(rows_.ofPatches), RowCache(0)}}, progress);
   rows_.ofPatches = std::move(solution_.continuation->rows.ofPatches);
   world_->discretization.patches = std::move(solution_.patches);
   return cost;

@@ -47,10 +47,10 @@ struct UpdateCost {
   bool startedOver = false;  ///< solved again: too much stale light, or too little emission to allow for it
 };
 
-/// As ProjectedFormFactors::ofPatch, so without the corrections of SceneFormFactors::row, which the change of a window
-/// does not carry on. Draws only the views whose rows are not in the cache, and keeps them there. With it `solve` gives
-/// the continuation `rows.ofViews`, which save work at the first update.
-FormFactorRow rowByViews(ProjectedFormFactors& rows, RowCache& ofViews, const Patch& patch);
+/// As SceneFormFactors::row. Draws only the views whose rows are not in the cache, and keeps there those of patches
+/// with several points and of patches whose row is corrected. With it `solve` gives the continuation `rows.ofViews`,
+/// which save work at the first update.
+FormFactorRow rowByViews(SceneFormFactors& drawn, RowCache& ofViews, const Patch& patch);
 
 /// A scene and what draws its rows.
 struct DrawnScene {

@@ -13,10 +13,6 @@ bool isSameView(const raster::Face& a, const raster::Face& b) {
   return a.eye == b.eye && a.x == b.x && a.y == b.y && a.w == b.w && a.nearDistance == b.nearDistance;
 }
 
-bool areSameViews(const View& a, const View& b) {
-  return std::equal(a.faces.begin(), a.faces.end(), b.faces.begin(), b.faces.end(), isSameView);
-}
-
 bool isEmpty(const raster::Scissor& scissor) { return scissor.width == 0 || scissor.height == 0; }
 
 /// The smallest rectangle around two others.
@@ -26,16 +22,6 @@ raster::Scissor around(const raster::Scissor& a, const raster::Scissor& b) {
   const int column = std::min(a.column, b.column), row = std::min(a.row, b.row);
   return {column, row, std::max(a.column + a.width, b.column + b.width) - column,
           std::max(a.row + a.height, b.row + b.height) - row};
-}
-
-std::vector<Window> windowsOf(const SceneChange& change, const View& view) {
-  std::vector<Window> windows;
-  for (std::size_t face = 0; face < view.faces.size(); ++face) {
-    const raster::Scissor window =
-        around(change.gone.windowOf(view.faces[face]), change.come.windowOf(view.faces[face]));
-    if (!isEmpty(window)) windows.push_back({face, window});
-  }
-  return windows;
 }
 
 /// `known` is the row of the view before, if known.
@@ -48,6 +34,20 @@ RowChange changeOfView(SceneChange& change, const View& before, const View& afte
 }
 
 }  // namespace
+
+bool areSameViews(const View& a, const View& b) {
+  return std::equal(a.faces.begin(), a.faces.end(), b.faces.begin(), b.faces.end(), isSameView);
+}
+
+std::vector<Window> windowsOf(const SceneChange& change, const View& view) {
+  std::vector<Window> windows;
+  for (std::size_t face = 0; face < view.faces.size(); ++face) {
+    const raster::Scissor window =
+        around(change.gone.windowOf(view.faces[face]), change.come.windowOf(view.faces[face]));
+    if (!isEmpty(window)) windows.push_back({face, window});
+  }
+  return windows;
+}
 
 ChangedSurfaces::ChangedSurfaces(const Scene& scene, const std::vector<bool>& isChanged)
     : low_(std::numeric_limits<double>::infinity()), high_(-std::numeric_limits<double>::infinity()) {
@@ -72,6 +72,10 @@ double ChangedSurfaces::largestShare(const SurfacePoint& point, double pixelAngl
   if (distance <= radius) return 1;
   const double sine = radius / distance + pixelAngle;
   return std::min(1.0, sine * sine);
+}
+
+double ChangedSurfaces::distanceFrom(const glm::dvec3& point) const {
+  return glm::length(glm::max(glm::max(low_ - point, point - high_), 0.0));
 }
 
 raster::Scissor ChangedSurfaces::windowOf(const raster::Face& face) const {

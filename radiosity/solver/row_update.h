@@ -26,6 +26,8 @@ class ChangedSurfaces {
   /// cone around their bounding sphere, enlarged by one pixel. (A sphere seen under the half angle a takes at most
   /// sin^2 a.) 0 if the surfaces lie behind the point.
   double largestShare(const SurfacePoint& point, double pixelAngle) const;
+  /// The distance of a point from their bounds, in units of the file; infinite if there are none.
+  double distanceFrom(const glm::dvec3& point) const;
   /// The window of a face that they can cover; its width and height are 0 if there is none.
   raster::Scissor windowOf(const raster::Face& face) const;
 
@@ -47,12 +49,18 @@ struct RowChange {
   bool isNothing() const { return before.elements.empty() && before.background == 0 && before.back == 0; }
 };
 
+/// Whether two views have the same faces.
+bool areSameViews(const View& a, const View& b);
+
 /// The scenes before and after an edit, and the surfaces that exist, or lie, only in one of them.
 struct SceneChange {
   ProjectedFormFactors& rowsBefore;
   ProjectedFormFactors& rowsAfter;
   ChangedSurfaces gone, come;
 };
+
+/// The windows of a view that the changed surfaces can cover.
+std::vector<Window> windowsOf(const SceneChange& change, const View& view);
 
 /// The change of the row of a patch that is at the same place in both scenes, with its numbers before and after. A view
 /// is drawn completely if its near distance differs, because that moves vertices where triangles cross the near plane.
