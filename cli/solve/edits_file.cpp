@@ -121,4 +121,14 @@ std::vector<Frame> readEdits(const std::filesystem::path& file, const radiosity:
   return frames;
 }
 
+void requireSamePlaces(const std::vector<Frame>& frames, const std::filesystem::path& file) {
+  for (std::size_t f = 0; f < frames.size(); ++f)
+    for (const Edit& edit : frames[f].edits)
+      if (!std::holds_alternative<radiosity::SetEmission>(edit) &&
+          !std::holds_alternative<radiosity::SetReflectance>(edit))
+        throw InputError(file.string(), 0,
+                         "frame " + std::to_string(f + 1) + ": --matrix holds the rows of one geometry",
+                         "edit emissions and reflectances alone, or omit --matrix");
+}
+
 }  // namespace hemitex::cli

@@ -34,4 +34,7 @@ struct Frame {
 std::vector<Frame> readEdits(const std::filesystem::path& file, const radiosity::Scene& scene,
                              const radiosity::SceneSettings& settings);
 
+/// Throws InputError if an edit changes where objects are: a matrix has the rows of one geometry.
+void requireSamePlaces(const std::vector<Frame>& frames, const std::filesystem::path& file);
+
 }  // namespace hemitex::cli

@@ -1,7 +1,10 @@
 #include "cli/solve/options.h"
 
 #include <limits>
+#include <utility>
 
+#include "cli/solve/bands_file.h"
+#include "radiosity/bands/spectral_scene.h"
 #include "radiosity/scene/load_scene.h"
 
 namespace hemitex::cli {
@@ -55,7 +58,7 @@ void addSolverOptions(Command command, SolveOptions& options) {
                   "stop when the unshot flux is at most this share of the emitted flux (default 0.001; 0.00001 with "
                   "light from outside)");
   addInteger(command, "--shots", settings.shots, 0, std::numeric_limits<int>::max(),
-             "stop after N shots (default: see --residual)")
+             "stop after N shots, or when nothing is left to shoot (default: see --residual)")
       .excludes(residual);
   const auto readCache = [&settings](const std::string& text) {
     const int mebibytes = integerOption("--row-cache", text, 0, std::numeric_limits<int>::max());
@@ -101,7 +104,7 @@ void addFacetOptions(Command command, SolveOptions& options) {
                                      "--all` or another program computed for the same mesh (default: compute them)",
                                      "FILE");
   for (const char* other : {"--no-facets", "--texels", "--texel-size", "--surface", "--adaptive", "--max-error",
-                            "--method", "--resolution", "--orientation", "--split", "--edits"})
+                            "--method", "--resolution", "--orientation", "--split"})
     matrix.excludes(command.option(other));
   command.option("--facets").excludes(command.option("--adaptive"));
 }
@@ -221,6 +224,24 @@ void addSolveOptions(Command command, SolveOptions& options, Context& context) {
                      "--residual", "--size"});
 }
 
+radiosity::Scene loadedScene(const SolveOptions& options) {
+  if (options.bands.empty()) return loadedScene(options.scene);
+  SceneOptions unchanged = options.scene;
+  unchanged.materials = {};
+  const radiosity::SceneSettings& settings = options.scene.settings;
+  radiosity::Scene scene = loadedScene(unchanged);
+  const BandsFile read = readBands(options.bands, scene, settings);
+  scene = withMaterials(radiosity::inBands(std::move(scene), read.bands, settings.maxReflectance),
+                        options.scene.materials, settings);
+  scene.files.insert(scene.files.end(), read.files.begin(), read.files.end());
+  requireLight(scene, options.scene.file);
+  return scene;
+}
+
+double residualOf(const SolveOptions& options, const radiosity::Scene& scene) {
+  return options.residual.value_or(options.solver.shots ? 0 : radiosity::defaultResidual(scene));
+}
+
 void completeOptions(Command command, SolveOptions& options) {
   refuseUnused(command, usesRays(options) ? drawingOptionNames() : std::vector<std::string>{"--samples", "--seed"},
                options.method);
@@ -233,14 +254,15 @@ void completeOptions(Command command, SolveOptions& options) {
   options.solver.keepsIrradiance = options.lightmap;
   validateFilter(options);
   options.isContinued = !options.edits.empty();
-  if (usesRays(options)) refuseUnused(command, {"--edits"}, options.method);
-  if (options.drawing.elementsBy == radiosity::ElementsBy::Mesh && !options.edits.empty())
-    usageError("--edits", "is not used with --discretize mesh; omit one of them");
 }
 
 bool usesRays(const SolveOptions& options) { return options.method == "rays"; }
 
 bool boundsRows(const SolveOptions& options) { return options.scene.settings.facets && options.maxError; }
+
+bool usesDrawnRows(const SolveOptions& options) {
+  return !usesRays(options) && !boundsRows(options) && options.matrix.empty();
+}
 
 bool writesFacets(const SolveOptions& options) { return options.scene.settings.facets && !options.isContinued; }
 

@@ -27,7 +27,7 @@ struct SolveOptions {
   std::uint32_t seed = 0;
   radiosity::IdSettings id;
   radiosity::SolverSettings solver;
-  std::optional<double> residual;  ///< of `solver`; see radiosity::defaultResidual
+  std::optional<double> residual;  ///< of `solver`; see residualOf
   std::optional<double> maxError;
   std::optional<radiosity::TextureFilter> filter;  ///< see filterOf for the default
   std::optional<int> magnification;                ///< see magnificationOf for the default
@@ -49,11 +49,21 @@ struct SolveOptions {
 /// Adds the options to the command. `options` and `context` must outlive the program.
 void addSolveOptions(Command command, SolveOptions& options, Context& context);
 
+/// Loads the scene in the bands of the options, and changes its materials as they ask: a colour means the bands that it
+/// stands for. Its files include those of the bands. Throws InputError as loading, as readBands, and for bands without
+/// light.
+radiosity::Scene loadedScene(const SolveOptions& options);
+
+/// The residual that ends a solution: as given, 0 if a number of shots is given, or the default of the scene.
+double residualOf(const SolveOptions& options, const radiosity::Scene& scene);
+
 /// Completes and checks the options after the whole command line is read: sets the projection, and throws a usage error
 /// for contradicting options.
 void completeOptions(Command command, SolveOptions& options);
 
 bool usesRays(const SolveOptions& options);
+/// Whether rows are drawn: neither cast, nor those of a matrix, nor rows with a bounded error.
+bool usesDrawnRows(const SolveOptions& options);
 /// Whether --max-error bounds the rows of facets.
 bool boundsRows(const SolveOptions& options);
 /// Whether scene.vtu shows the facets.

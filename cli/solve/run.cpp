@@ -4,10 +4,9 @@
 #include <memory>
 #include <utility>
 
-#include "cli/solve/facet_rows.h"
 #include "radiosity/discretization/discretize.h"
 #include "radiosity/pictures/visibility.h"
-#include "reference/truth/rays/embree_form_factors.h"
+#include "reference/matrices/matrix_rows.h"
 
 namespace hemitex::cli {
 namespace {
@@ -36,50 +35,38 @@ radiosity::LightSettings lightSettings(const SolveOptions& options, const radios
   return settings;
 }
 
-/// The rows of the method of the options. `bounded` keeps rows with bounded errors.
-radiosity::PatchRows rowsOf(const SolveOptions& options, radiosity::PatchRows drawn, const radiosity::Scene& scene,
-                            const radiosity::Discretization& discretization, std::optional<BoundedRows>& bounded) {
-  if (!options.matrix.empty()) return {matrixRows(options.matrix, scene, discretization)};
-  if (boundsRows(options)) {
-    bounded.emplace(scene, discretization, *options.maxError);
-    return {.rowOf = [&bounded](const radiosity::Patch& patch) { return bounded->row(patch); },
-            .prepare = [&bounded](const radiosity::Step& step) { bounded->lookAhead(step); }};
-  }
-  if (!usesRays(options)) return drawn;
-  // Patches are split by hemicubes for rays, too.
-  const auto rays = std::make_shared<reference::RayRows>(
-      scene, discretization, reference::RayRowSettings{options.samples, reference::RayStart::Area, options.seed});
-  return {.rowOf = [rays](const radiosity::Patch& patch) { return rays->ofPatch(patch); }, .split = drawn.split};
+/// The rows of the method of the options; empty if they are drawn.
+radiosity::OtherRows rowsOf(const SolveOptions& options, const reference::RowErrors& errors) {
+  if (!options.matrix.empty()) return reference::matrixRows(options.matrix);
+  if (boundsRows(options)) return reference::boundedRows(*options.maxError, errors);
+  if (usesRays(options)) return reference::rayRows({options.samples, reference::RayStart::Area, options.seed});
+  return {};
 }
 
 }  // namespace
 
-radiosity::LayoutFactory layoutsOf(const radiosity::IdSettings& ids) {
-  return [ids](const radiosity::Discretization& discretization) { return layoutOf(ids, discretization); };
+radiosity::LightHooks hooksOf(const SolveOptions& options, const reference::RowErrors& errors) {
+  return {.layOut = [ids = options.id](
+                        const radiosity::Discretization& discretization) { return layoutOf(ids, discretization); },
+          .rows = rowsOf(options, errors)};
 }
 
 SolveResult solveScene(const SolveOptions& asked, const radiosity::Scene& scene, const radiosity::Camera& camera,
                        radiosity::Discretization discretization, Monitor& monitor) {
   SolveResult result{asked};
-  std::optional<BoundedRows> bounded;
-  const radiosity::LightHooks hooks{
-      .layOut = layoutsOf(asked.id),
-      .start =
-          [&](const radiosity::SolverSettings& settings) {
-            result.convergence = {};
-            std::optional<radiosity::Snapshot> snapshot = monitor.begin();
-            return radiosity::SolutionStart{std::move(snapshot), monitor.progressOf(settings, result.convergence)};
-          },
-      .rows =
-          [&](radiosity::PatchRows drawn, const radiosity::Scene& of, const radiosity::Discretization& elements) {
-            return rowsOf(asked, std::move(drawn), of, elements, bounded);
-          },
-      .ranks = asked.ranks};
+  const auto errors = std::make_shared<std::vector<double>>();
+  radiosity::LightHooks hooks = hooksOf(asked, errors);
+  hooks.start = [&](const radiosity::SolverSettings& settings) {
+    result.convergence = {};
+    std::optional<radiosity::Snapshot> snapshot = monitor.begin();
+    return radiosity::SolutionStart{std::move(snapshot), monitor.progressOf(settings, result.convergence)};
+  };
+  hooks.ranks = asked.ranks;
   result.light = radiosity::light(scene, std::move(discretization), lightSettings(asked, scene, camera), hooks);
   monitor.console().endProgress();
   result.options.drawing = result.light.settings.drawing;
   result.options.solver = result.light.settings.solver;
-  if (bounded) result.rowErrors = bounded->errors();
+  result.rowErrors = *errors;
   if (const std::optional<radiosity::RowCounts>& counts = result.light.rowsAhead)
     monitor.console().detail(std::to_string(counts->ahead) + " rows were computed ahead, of which " +
                              std::to_string(counts->used) + " were used; rank 0 computed " +

@@ -10,6 +10,7 @@
 #include "radiosity/light/light.h"
 #include "radiosity/pictures/camera.h"
 #include "radiosity/scene/scene.h"
+#include "reference/rows/solution_rows.h"
 
 namespace hemitex::cli {
 
@@ -21,8 +22,9 @@ struct SolveResult {
   std::vector<double> rowErrors = {};
 };
 
-/// Lays out item IDs as `layoutOf`.
-radiosity::LayoutFactory layoutsOf(const radiosity::IdSettings& ids);
+/// Layouts as `layoutOf`, and the rows of the method of the options. With bounded errors these are set. Throws
+/// InputError as matrixRows.
+radiosity::LightHooks hooksOf(const SolveOptions& options, const reference::RowErrors& errors);
 
 /// Solves the scene as the options ask. With --max-error the seen surfaces are those that `camera` shows.
 /// `discretization` is that of the options; with --adaptive it is not used. The solution of --edits has its

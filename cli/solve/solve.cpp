@@ -114,9 +114,13 @@ std::set<std::filesystem::path> inputFiles(const SolveOptions& options, const Co
   return files;
 }
 
-/// What a checkpoint belongs to, beside the scene: equal for equal settings and edits.
-std::string textOfRun(const SolveOptions& options, const radiosity::Scene& scene, const std::vector<Frame>& frames) {
+/// What a checkpoint belongs to, beside the scene: equal for equal settings and edits. With --max-error the effort also
+/// follows what the camera sees.
+std::string textOfRun(const SolveOptions& options, const radiosity::Scene& scene, const radiosity::Camera& camera,
+                      const std::vector<Frame>& frames) {
   std::string text = toText(solutionSettings(options));
+  if (options.maxError && !boundsRows(options))
+    text += toText(ordered_json{cli::toJson(camera), options.camera.width, options.camera.height});
   std::set<std::filesystem::path> added;
   for (const Frame& frame : frames) {
     text += toText(frame.written);
@@ -127,25 +131,9 @@ std::string textOfRun(const SolveOptions& options, const radiosity::Scene& scene
   return text;
 }
 
-/// Loads the scene, reads its bands, and changes its materials as the options ask: a colour means the bands that it
-/// stands for. Its files include those of the bands.
-radiosity::Scene sceneInBands(const SolveOptions& options) {
-  SceneOptions unchanged = options.scene;
-  unchanged.materials = {};
-  const radiosity::SceneSettings& settings = options.scene.settings;
-  radiosity::Scene scene = loadedScene(unchanged);
-  const BandsFile read = readBands(options.bands, scene, settings);
-  scene = withMaterials(radiosity::inBands(std::move(scene), read.bands, settings.maxReflectance),
-                        options.scene.materials, settings);
-  scene.files.insert(scene.files.end(), read.files.begin(), read.files.end());
-  requireLight(scene, options.scene.file);
-  return scene;
-}
-
 /// The scene of the options, and its warnings told.
 radiosity::Scene sceneOf(const SolveOptions& options, Console& console) {
-  if (options.bands.empty()) return sceneOf(options.scene, console);
-  const radiosity::Scene scene = sceneInBands(options);
+  radiosity::Scene scene = loadedScene(options);
   console.warnings(scene.warnings);
   return scene;
 }
@@ -164,8 +152,9 @@ void computeForRankZero(SolveOptions options, Console& console) {
 /// of the frames to `text`. Returns whether a signal ended the last one.
 bool writeFrames(const std::filesystem::path& folder, const std::vector<Frame>& frames, const SolvedScene& first,
                  SolveResult& result, Monitor& monitor, ordered_json& text) {
+  const auto errors = std::make_shared<std::vector<double>>();
   radiosity::DynamicSolution dynamic =
-      radiosity::editable(first.scene, std::move(result.light), {.layOut = layoutsOf(result.options.id)});
+      radiosity::editable(first.scene, std::move(result.light), hooksOf(result.options, errors));
   for (std::size_t f = 0; f < frames.size() && !dynamic.solution().isInterrupted; ++f)
     text["frames"].push_back(writeFrame(folder, f + 1, frames[f], dynamic, first, monitor));
   return dynamic.solution().isInterrupted;
@@ -233,18 +222,19 @@ void solve(SolveOptions asked, Context& context) {
   if (asked.isContinued) asked.discretization.isUnburied = true;
   Laps laps;
   const radiosity::Scene scene = sceneOf(asked, console);
-  asked.solver.residual = asked.residual.value_or(radiosity::defaultResidual(scene));
+  asked.solver.residual = residualOf(asked, scene);
   requireLight(scene, asked.scene.file, ", or --sky 1,1,1 for light from outside");
   const radiosity::Camera camera = cameraOf(asked.camera, scene, asked.scene.file);
   const std::vector<Frame> frames =
       asked.edits.empty() ? std::vector<Frame>() : readEdits(asked.edits, scene, asked.scene.settings);
+  if (!asked.matrix.empty()) requireSamePlaces(frames, asked.edits);
   laps.lap("load_s");
   requireMemoryOfRun(scene, asked);
   const std::set<std::filesystem::path> inputs = inputFiles(asked, context, scene, frames);
   Staging staging({.place = asked.output, .writer = solveWriter, .inputs = inputs});
   radiosity::Discretization unsplit = discretizationOf(asked.discretization, scene);
   staging.requirePlaces(outputNames(asked, scene, unsplit, frames.size()));
-  Monitor monitor(console, asked.longRun, scene, textOfRun(asked, scene, frames), inputs);
+  Monitor monitor(console, asked.longRun, scene, textOfRun(asked, scene, camera, frames), inputs);
   laps.lap("discretize_s");
   SolveResult result = solveScene(asked, scene, camera, std::move(unsplit), monitor);
   warnOf(result, console);
@@ -270,8 +260,7 @@ void addSolve(Command program, Context& context) {
       {"data/cornell-box.obj -o lit --report", "house.obj -o lit --sky 1,1,1.2 --sun 1,3,2=4,4,3.5 --max-error 0.02"});
   command.onRead([options, command, &context] {
     completeOptions(command, *options);
-    context.isShared =
-        options->edits.empty() && !usesRays(*options) && !boundsRows(*options) && options->matrix.empty();
+    context.isShared = options->edits.empty() && usesDrawnRows(*options);
     context.command = [options, &context] { solve(*options, context); };
   });
 }

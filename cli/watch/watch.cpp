@@ -127,7 +127,7 @@ class WatchedSolution {
   Round follow() {
     files_.insert({asked_.scene.file, viewFileOf(asked_.scene.file)});
     watched_ = WatchedFiles(files_);  // of the last scene, in case that this one cannot be read
-    radiosity::Scene scene = loadedScene(asked_.scene);
+    radiosity::Scene scene = loadedScene(asked_);
     files_.insert(scene.files.begin(), scene.files.end());
     watched_ = WatchedFiles(files_);
     tellNew(scene.warnings);
@@ -174,7 +174,7 @@ class WatchedSolution {
 
   void solve(radiosity::Scene scene) {
     SolveOptions options = asked_;
-    options.solver.residual = options.residual.value_or(radiosity::defaultResidual(scene));
+    options.solver.residual = residualOf(options, scene);
     requireMemoryOfRun(scene, options);
     radiosity::Discretization unsplit = discretizationOf(options.discretization, scene);
     Staging(output()).requirePlaces(outputNames(options, scene, unsplit, 0));
@@ -182,7 +182,7 @@ class WatchedSolution {
     SolveResult result = solveScene(options, scene, camera_, std::move(unsplit), monitor);
     options_ = result.options;
     convergence_ = std::move(result.convergence);
-    dynamic_ = radiosity::editable(std::move(scene), std::move(result.light), {.layOut = layoutsOf(options_.id)});
+    dynamic_ = radiosity::editable(std::move(scene), std::move(result.light), hooksOf(options_, errors_));
   }
 
   Output output() const {
@@ -227,6 +227,7 @@ class WatchedSolution {
   std::string version_;
   radiosity::Camera camera_;
   Convergence convergence_;
+  reference::RowErrors errors_ = std::make_shared<std::vector<double>>();
   std::optional<radiosity::DynamicSolution> dynamic_;
 };
 
@@ -252,15 +253,11 @@ void followChange(WatchedSolution& solution, const fs::path& changed, Context& c
   }
 }
 
-/// Throws a usage error for options that updates of a solution, or the page, do not allow.
-void requireUpdatable(Command command, const SolveOptions& options) {
+/// Throws a usage error for options that updates, or the page, do not allow.
+void requireUpdatable(Command command) {
   for (const char* name :
        {"--edits", "--adaptive", "--checkpoint", "--resume", "--every", "--progress", "--no-textures", "--matrix"})
     if (command.isGiven(name)) usageError(name, "is not used by `hemitex watch`; omit it");
-  if (boundsRows(options)) usageError("--max-error", "bounds no rows of facets in `hemitex watch`; omit it");
-  if (usesRays(options)) usageError("--method", "`rays` cannot update a solution; use hemicubes");
-  if (options.drawing.elementsBy == radiosity::ElementsBy::Mesh)
-    usageError("--discretize", "`mesh` cannot update a solution; use texture");
 }
 
 void watch(const WatchOptions& options, Context& context) {
@@ -290,7 +287,7 @@ void addWatch(Command program, Context& context) {
   command.addExamples({"house.obj -o lit --view", "data/furnished-room.obj -o lit --view --residual 0.01"});
   command.onRead([options, command, &context] {
     completeOptions(command, options->solve);
-    requireUpdatable(command, options->solve);
+    requireUpdatable(command);
     options->solve.isContinued = true;
     options->solve.discretization.isUnburied = true;
     context.command = [options, &context] { watch(*options, context); };

@@ -56,6 +56,7 @@ reference::RowMethod methodOf(const Elements& elements, const RowReceivers& rece
   const std::string method = settings.text("method").value_or("hemicube");
   if (const auto maxError = settings.number("max_error", 1e-9, 1)) {
     if (!elements.facets) throw InputError("`max_error` is for facets", "load the scene with facets=True");
+    if (method != "hemicube") throw InputError("`max_error` chooses how rows are measured", "omit `method`");
     return unlocked([&] { return reference::facetMethod(*elements.scene, receivers, *maxError, 64); });
   }
   if (method == "rays") {
@@ -67,7 +68,7 @@ reference::RowMethod methodOf(const Elements& elements, const RowReceivers& rece
   }
   if (method == "analytic")
     return unlocked([&] { return reference::analyticMethod(*elements.scene, elements.discretization, receivers); });
-  const radiosity::DrawingSettings drawing = drawingSettings(settings);
+  const radiosity::DrawingSettings drawing = drawingSettings(settings, {"rays", "analytic"});
   const radiosity::IdSettings ids = idSettings(settings);
   const radiosity::RendererFactory renderer = rendererFactory(makeRenderer);
   return unlocked([&] {
@@ -244,10 +245,12 @@ py::list hemicube(const SharedElements& elements, const py::object& source, cons
 
 }  // namespace
 
-radiosity::DrawingSettings drawingSettings(const Settings& settings) {
+radiosity::DrawingSettings drawingSettings(const Settings& settings, const std::vector<std::string>& others) {
   using radiosity::ElementsBy, radiosity::Orientation;
   radiosity::DrawingSettings drawing;
-  assign(drawing.projection, settings.choice("method", projections()));
+  Methods methods = projections();
+  for (const std::string& other : others) methods.emplace_back(other, radiosity::ProjectionKind::Hemicube);
+  assign(drawing.projection, settings.choice("method", methods));
   assign(drawing.resolution, settings.integer("resolution", 2, 4096));
   if (drawing.resolution % 2 != 0)
     throw InputError("`resolution` is " + std::to_string(drawing.resolution), "give an even number");

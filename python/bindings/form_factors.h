@@ -8,8 +8,8 @@
 
 namespace hemitex::python {
 
-/// The settings of projections.
-radiosity::DrawingSettings drawingSettings(const Settings& settings);
+/// The settings of projections. `others` are the methods that do not draw, for the message about a wrong name.
+radiosity::DrawingSettings drawingSettings(const Settings& settings, const std::vector<std::string>& others = {});
 /// The settings of item IDs.
 radiosity::IdSettings idSettings(const Settings& settings);
 

@@ -20,7 +20,6 @@
 #include "radiosity/scene/load_scene.h"
 #include "radiosity/solver/sensitivity.h"
 #include "raster/base/parallel.h"
-#include "reference/truth/rays/embree_form_factors.h"
 
 namespace hemitex::python {
 namespace {
@@ -29,34 +28,57 @@ using raster::InputError;
 using namespace py::literals;
 
 radiosity::LightHooks hooksOf(const Method& method) {
-  radiosity::LightHooks hooks{
+  return {
       .layOut = [ids = method.ids](
                     const radiosity::Discretization& discretization) { return radiosity::layOut(discretization, ids); },
-      .makeRenderer = method.makeRenderer};
-  if (method.rays)
-    hooks.rows = [settings = *method.rays](radiosity::PatchRows drawn, const radiosity::Scene& scene,
-                                           const radiosity::Discretization& discretization) {
-      const auto rays = std::make_shared<reference::RayRows>(scene, discretization, settings);
-      return radiosity::PatchRows{.rowOf = [rays](const radiosity::Patch& patch) { return rays->ofPatch(patch); },
-                                  .split = drawn.split};
-    };
-  return hooks;
+      .makeRenderer = method.makeRenderer,
+      .rows = method.rows};
 }
 
-Method methodOf(const Settings& settings, const radiosity::Scene& scene, const py::object& makeRenderer) {
-  Method method{.ids = idSettings(settings), .makeRenderer = rendererFactory(makeRenderer)};
-  if (settings.text("method").value_or("") == "rays") {
-    method.rays.emplace(reference::RayRowSettings{.start = reference::RayStart::Area});
-    assign(method.rays->rays, settings.integer("samples", 64, 1 << 24));
-    if ((method.rays->rays & (method.rays->rays - 1)) != 0)
-      throw InputError("`samples` is " + std::to_string(method.rays->rays), "give a power of two");
-    method.rays->seed =
-        static_cast<std::uint32_t>(settings.integer("seed", 0, std::numeric_limits<int>::max()).value_or(0));
-  } else {
-    method.light.drawing = drawingSettings(settings);
+reference::RayRowSettings raySettings(const Settings& settings) {
+  reference::RayRowSettings rays{.start = reference::RayStart::Area};
+  assign(rays.rays, settings.integer("samples", 64, 1 << 24));
+  if ((rays.rays & (rays.rays - 1)) != 0)
+    throw InputError("`samples` is " + std::to_string(rays.rays), "give a power of two");
+  rays.seed = static_cast<std::uint32_t>(settings.integer("seed", 0, std::numeric_limits<int>::max()).value_or(0));
+  return rays;
+}
+
+/// The surfaces that a picture of 4 to 3 shows, as `hemitex solve` finds them.
+std::vector<bool> seenBy(const radiosity::Scene& scene, const py::object& camera) {
+  if (camera.is_none()) return {};
+  const radiosity::Camera seenFrom = cameraOf(camera.cast<py::dict>());
+  return unlocked([&] { return radiosity::seenSurfaces(scene, seenFrom, 256, 192); });
+}
+
+/// Chooses what bounds the error: that of rows between facets, or the effort of the whole solution.
+void setBound(Method& method, double bound, const Elements& elements, const py::object& camera) {
+  if (method.rows) throw InputError("`max_error` chooses settings of hemicubes", "omit `method`");
+  if (!elements.facets) {
+    method.light.maxError = bound;
+    method.light.seen = seenBy(*elements.scene, camera);
+    return;
   }
-  method.light.solver.residual = settings.number("residual", 1e-14, 1e300).value_or(radiosity::defaultResidual(scene));
-  method.light.solver.shots = settings.integer("shots", 0, std::numeric_limits<int>::max());
+  for (const radiosity::Grid& grid : elements.discretization.grids)
+    if (grid.elementCount != 1)
+      throw InputError("`max_error` bounds rows between whole facets", "discretize them without texels");
+  method.rows = reference::boundedRows(bound, method.errors);
+  method.light.solver.residual = radiosity::residualFor(bound);
+}
+
+Method methodOf(const Settings& settings, const Elements& elements, const py::object& camera,
+                const py::object& makeRenderer) {
+  Method method{.ids = idSettings(settings), .makeRenderer = rendererFactory(makeRenderer)};
+  if (settings.text("method").value_or("") == "rays")
+    method.rows = reference::rayRows(raySettings(settings));
+  else
+    method.light.drawing = drawingSettings(settings, {"rays"});
+  radiosity::SolverSettings& solver = method.light.solver;
+  solver.shots = settings.integer("shots", 0, std::numeric_limits<int>::max());
+  solver.residual = settings.number("residual", 1e-14, 1e300)
+                        .value_or(solver.shots ? 0 : radiosity::defaultResidual(*elements.scene));
+  if (const auto bound = settings.number("max_error", 1e-6, 1)) setBound(method, *bound, elements, camera);
+  method.light.elements = elements.settings;
   return method;
 }
 
@@ -87,13 +109,6 @@ SharedSolution resultOf(const radiosity::Solution& solution) {
                                                                          .warnings = solution.warnings});
 }
 
-/// The surfaces that a picture of 4 to 3 shows, as `hemitex solve` finds them.
-std::vector<bool> seenBy(const radiosity::Scene& scene, const py::object& camera) {
-  if (camera.is_none()) return {};
-  const radiosity::Camera seenFrom = cameraOf(camera.cast<py::dict>());
-  return unlocked([&] { return radiosity::seenSurfaces(scene, seenFrom, 256, 192); });
-}
-
 std::shared_ptr<Solved> solve(const SharedElements& elements, const py::dict& given, const py::object& camera,
                               const py::object& makeRenderer, py::object progress) {
   const Settings settings(given);
@@ -101,18 +116,11 @@ std::shared_ptr<Solved> solve(const SharedElements& elements, const py::dict& gi
   radiosity::requireEmission(scene, scene.files.empty() ? std::filesystem::path("the scene") : scene.files.front());
   auto solved = std::make_shared<Solved>();
   Method& method = solved->method;
-  method = methodOf(settings, scene, makeRenderer);
-  const std::optional<double> bound = settings.number("max_error", 1e-6, 1);
+  method = methodOf(settings, *elements, camera, makeRenderer);
   const bool isEditable = settings.flag("editable").value_or(false);
-  if (isEditable && (bound || method.rays))
-    throw InputError("a solution with `max_error` or of rays cannot be edited", "omit `editable`");
   if (isEditable && !elements->settings.isUnburied)
     throw InputError("the elements leave out what solids cover, which edits may uncover",
                      "give editable=True to discretize, too");
-  if (bound && method.rays) throw InputError("`max_error` chooses settings of hemicubes", "omit `method`");
-  method.light.maxError = bound;
-  if (bound) method.light.seen = seenBy(scene, camera);
-  method.light.elements = elements->settings;
   method.light.isContinued = isEditable;
   Progress told(std::move(progress));
   unlocked([&] {
@@ -121,7 +129,8 @@ std::shared_ptr<Solved> solve(const SharedElements& elements, const py::dict& gi
       return radiosity::SolutionStart{.progress = progressOf(told, used)};
     };
     radiosity::Light light = radiosity::light(scene, elements->discretization, method.light, hooks);
-    if (bound && !light.expectedErrors) throw InputError("the progress callback ended the choice of settings");
+    if (method.light.maxError && !light.expectedErrors)
+      throw InputError("the progress callback ended the choice of settings");
     method.light = light.settings;
     solved->expectedErrors = light.expectedErrors;
     if (!isEditable) {
@@ -185,8 +194,13 @@ py::dict aboutSolution(const Solved& solved) {
                  "energy"_a = py::dict("emitted"_a = listed(energy.emitted), "absorbed"_a = listed(energy.absorbed),
                                        "unshot"_a = listed(energy.unshot), "lost"_a = listed(energy.lost),
                                        "lost_to_backs"_a = listed(energy.lostToBacks)));
+  const auto orNone = [](const std::optional<double>& value) {
+    return value ? py::object(py::float_(*value)) : py::object(py::none());
+  };
+  const std::vector<double>& errors = *solved.method.errors;
   about["expected_error"] =
-      solved.expectedErrors ? py::object(py::float_(solved.expectedErrors->larger())) : py::object(py::none());
+      orNone(solved.expectedErrors ? std::optional(solved.expectedErrors->larger()) : std::nullopt);
+  about["row_error"] = orNone(errors.empty() ? std::nullopt : std::optional(*std::ranges::max_element(errors)));
   return about;
 }
 

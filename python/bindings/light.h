@@ -10,7 +10,7 @@
 #include "radiosity/index_maps/id_layout.h"
 #include "radiosity/light/light.h"
 #include "radiosity/pictures/camera.h"
-#include "reference/truth/rays/embree_form_factors.h"
+#include "reference/rows/solution_rows.h"
 
 namespace hemitex::python {
 
@@ -20,7 +20,8 @@ using SharedSolution = std::shared_ptr<const radiosity::Solution>;
 struct Method {
   radiosity::LightSettings light;
   radiosity::IdSettings ids;
-  std::optional<reference::RayRowSettings> rays;
+  radiosity::OtherRows rows;                                              ///< empty: they are drawn
+  reference::RowErrors errors = std::make_shared<std::vector<double>>();  ///< of rows with a bound
   radiosity::RendererFactory makeRenderer;
 };
 

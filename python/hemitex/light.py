@@ -54,6 +54,8 @@ class Solution:
         """Where the flux went, in W per band: emitted = absorbed + unshot + lost."""
         self.expected_error: float | None = about["expected_error"]
         """With max_error: the expected share of the flux that is in the wrong place."""
+        self.row_error: float | None = about["row_error"]
+        """Of facets with max_error: the largest estimated error of a row of form factors."""
         self.warnings: list[str] = about["warnings"]
 
     @property
@@ -94,9 +96,10 @@ def solve(what: Scene | Elements,
           progress: Told | None = None) -> Solution:
     """Solves by progressive radiosity, with the bits of `hemitex solve`.
 
-    residual: stops when so much of the emitted flux is unshot (default 0.001; 0.00001 with light from outside).
+    residual: stops when so much of the emitted flux is unshot (default 0.001; 0.00001 with light from outside; 0 if
+    `shots` is given).
     max_error: solves with growing effort until the expected error is at most this share, of all flux and of what
-    `seen_by` sees. format: channels of item IDs. editable: `edit` takes the solution.
+    `seen_by` sees; of facets, bounds the error of every row of form factors. format: channels of item IDs. editable: `edit` takes the solution.
     progress: a function of the share that is done; if it returns False, the solution ends with what it has.
     """
     elements = _elements(what, editable)

@@ -46,7 +46,7 @@ class Scene:
                     suns: Sequence[tuple[Vector, Vector]] = (),
                     mirrors: Sequence[tuple[Literal["x", "y", "z"], float]] = (),
                     period: Vector = 0.0,
-                    repeats: int = 4) -> Scene:
+                    repeats: int | None = None) -> Scene:
         """A scene of arrays.
 
         vertices: (n, 3), in the unit of the scene.
@@ -61,7 +61,7 @@ class Scene:
         sky: irradiance of an open plane, W/m^2. suns: (direction, irradiance) of parallel lights.
         mirrors: (axis, coordinate) of planes behind which the scene continues as in a mirror, at most two per axis.
         period: lengths along x, y and z of a box that is repeated; 0 along an axis without repeats.
-        repeats: images on each side of a box that `period` or two mirrors repeat.
+        repeats: images on each side of a box that `period` or two mirrors repeat (4 if not given).
 
         >>> square = [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]]
         >>> Scene.from_arrays(square, [[0, 1, 2, 3]], names=["floor"]).area
@@ -181,7 +181,7 @@ def load_scene(file: str | os.PathLike[str],
                suns: Sequence[tuple[Vector, Vector]] = (),
                mirrors: Sequence[tuple[Literal["x", "y", "z"], float]] = (),
                period: Vector = 0.0,
-               repeats: int = 4) -> Scene:
+               repeats: int | None = None) -> Scene:
     """Reads OBJ with MTL, glTF, STL, PLY, VTK or View3D files, as `hemitex solve` does.
 
     emission: the unit of `Ke`. crease: the angle in degrees at which curved parts end. facets: each face of the file is

@@ -7,6 +7,7 @@
 #include "radiosity/base/bytes.h"
 #include "radiosity/discretization/adaptive_subdivision.h"
 #include "radiosity/ranks/shared_tasks.h"
+#include "raster/base/input_error.h"
 
 namespace hemitex::radiosity {
 namespace {
@@ -45,7 +46,7 @@ class Solutions {
     SceneFormFactors drawn(scene_, result_.discretization, result_.layout, settings.drawing, hooks_.makeRenderer);
     const bool isChoosing = settings.maxError || settings.adaptive;
     if (hooks_.ranks && hooks_.ranks->rank() > 0) {
-      computeRows(*hooks_.ranks, drawn.uncorrected());
+      if (sharesRows()) computeRows(*hooks_.ranks, drawn.uncorrected());
       if (isChoosing) result_.solution = solutionOfRankZero(*hooks_.ranks);
       return;
     }
@@ -61,6 +62,9 @@ class Solutions {
   }
 
  private:
+  /// Other ranks compute drawn rows alone.
+  bool sharesRows() const { return hooks_.ranks && !hooks_.rows; }
+
   void solveWith(SceneFormFactors& drawn) {
     const LightSettings& settings = result_.settings;
     const SolutionStart start = hooks_.start ? hooks_.start(settings.solver) : SolutionStart();
@@ -71,7 +75,7 @@ class Solutions {
     if (settings.isContinued) rows.rowOf = [&](const Patch& patch) { return rowByViews(drawn, ofViews, patch); };
     if (hooks_.rows) rows = hooks_.rows(std::move(rows), scene_, result_.discretization);
     std::optional<RowsAhead> ahead;
-    if (hooks_.ranks) {
+    if (sharesRows()) {
       ahead.emplace(*hooks_.ranks, drawn, settings.solver.rowCacheBytes);
       rows.rowOf = [&](const Patch& patch) { return ahead->row(patch); };
       rows.prepare = [&](const Step& step) { ahead->lookAhead(step); };
@@ -137,6 +141,8 @@ Discretization adaptiveElements(const Scene& scene, Light& result, Solutions& so
 }  // namespace
 
 Light light(const Scene& scene, Discretization discretization, const LightSettings& settings, const LightHooks& hooks) {
+  if (settings.maxError && (hooks.rows || settings.drawing.projection != ProjectionKind::Hemicube))
+    throw raster::InputError("the error of a solution is bounded with hemicubes alone", "omit the method or the bound");
   Light result{settings, std::move(discretization)};
   Solutions solutions(scene, hooks, result);
   try {
@@ -155,7 +161,7 @@ DynamicSolution editable(Scene scene, Light light, const LightHooks& hooks) {
   return {std::move(scene),
           std::move(light.discretization),
           std::move(light.solution),
-          {settings.elements, settings.drawing, settings.solver},
+          {settings.elements, settings.drawing, settings.solver, hooks.rows},
           hooks.layOut,
           hooks.makeRenderer};
 }

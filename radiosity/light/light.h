@@ -27,15 +27,7 @@ struct LightSettings {
   /// Above 0. Splits elements where radiosity changes by more than this share (adaptive_subdivision.h).
   std::optional<double> adaptive = {};
   DiscretizationSettings elements = {};  ///< of adaptive elements, and of those that edits add
-  bool isContinued = false;              ///< keeps what edits go on from (see editable); rows are those of rowByViews
-};
-
-/// The rows of a solution, and the patches that they are of.
-struct PatchRows {
-  RowSource rowOf;
-  PatchSplit split = {};                               ///< see SolveInput
-  double captured = 1;                                 ///< share of a patch's light that rows hold; the rest is lost
-  std::function<void(const Step& step)> prepare = {};  ///< called after each shot: computes rows of likely shots
+  bool isContinued = false;              ///< keeps what edits go on from (see editable); rows of views are kept, too
 };
 
 /// How a solution starts, and who follows it.
@@ -50,11 +42,10 @@ struct LightHooks {
   RendererFactory makeRenderer = softwareRenderer;
   /// Called at the start of each solution; a choice of elements or effort has several. The settings outlive it.
   std::function<SolutionStart(const SolverSettings& settings)> start = {};
-  /// Gives other rows than those that are drawn, or goes around these. The arguments outlive the solution.
-  std::function<PatchRows(PatchRows drawn, const Scene& scene, const Discretization& discretization)> rows = {};
+  OtherRows rows = {};
   /// Finds a solution in another way than `solve`.
   std::function<Solution(SolveInput input, const Progress& progress)> solve = {};
-  Messenger* ranks = nullptr;  ///< the ranks that share rows; null if this process is alone
+  Messenger* ranks = nullptr;  ///< the ranks that share drawn rows; null if this process is alone
 };
 
 struct Light {
@@ -70,7 +61,7 @@ struct Light {
 /// Solves a scene with elements, which adaptive ones replace; with both, the error on adaptive elements is bounded. If
 /// the progress ends a solution, the result is that of its last shot. With several ranks all call this; ranks other
 /// than 0 compute rows, and their result has no light. Throws InputError as `solve`, as chooseEffort and as
-/// adaptiveDiscretization.
+/// adaptiveDiscretization, and for maxError without hemicubes.
 Light light(const Scene& scene, Discretization discretization, const LightSettings& settings = {},
             const LightHooks& hooks = {});
 

@@ -23,6 +23,17 @@ struct AxisImage {
   double sign = 1, shift = -0.0;
 };
 
+/// The images of a box on each side by default.
+constexpr int defaultRepeats = 4;
+
+/// The farthest image, in extents of the scene: positions relative to all images are rounded to binary32.
+constexpr int farthestImage = 4096;
+
+/// Whether images repeat along an axis.
+bool repeats(const Symmetry& symmetry, std::size_t axis) {
+  return symmetry.mirrors[axis].size() == 2 || symmetry.period[static_cast<int>(axis)] != 0;
+}
+
 /// The images along an axis; the first one is the box itself.
 std::vector<AxisImage> imagesAlong(std::vector<double> mirrors, double period, int repeats) {
   std::sort(mirrors.begin(), mirrors.end());
@@ -40,6 +51,9 @@ std::vector<AxisImage> imagesAlong(std::vector<double> mirrors, double period, i
 
 void requireUsable(const Scene& scene, const Symmetry& symmetry) {
   const double tolerance = contactTolerance(scene);
+  if (symmetry.repeats && !repeats(symmetry, 0) && !repeats(symmetry, 1) && !repeats(symmetry, 2))
+    throw raster::InputError("a number of repeats is given, and nothing is repeated",
+                             "give a period, or two mirror planes across an axis");
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const std::vector<double>& mirrors = symmetry.mirrors[axis];
     const std::string name(1, axisNames[axis]);
@@ -73,16 +87,25 @@ void requireUsable(const Scene& scene, const Symmetry& symmetry) {
 
 bool Symmetry::isNone() const {
   return std::all_of(mirrors.begin(), mirrors.end(), [](const auto& planes) { return planes.empty(); }) &&
-         period == glm::dvec3(0.0);
+         period == glm::dvec3(0.0) && !repeats;
 }
 
 void setSymmetry(Scene& scene, const Symmetry& symmetry) {
+  measureBounds(scene);
   requireUsable(scene, symmetry);
   std::array<std::vector<AxisImage>, 3> along;
   std::size_t count = 1;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    along[axis] = imagesAlong(symmetry.mirrors[axis], symmetry.period[static_cast<int>(axis)], symmetry.repeats);
+    along[axis] = imagesAlong(symmetry.mirrors[axis], symmetry.period[static_cast<int>(axis)],
+                              symmetry.repeats.value_or(defaultRepeats));
     count *= along[axis].size();
+    const double centre = scene.origin[static_cast<int>(axis)];
+    for (const AxisImage& image : along[axis])
+      if (!(std::abs(image.sign * centre + image.shift - centre) <= farthestImage * scene.extent))
+        throw raster::InputError("an image of the scene along " + std::string(1, axisNames[axis]) +
+                                     " is farther away than " + std::to_string(farthestImage) +
+                                     " times the size of the scene",
+                                 "give a smaller period, nearer mirror planes or fewer repeats");
   }
   constexpr std::size_t maxTriangles = std::size_t{1} << 28;
   if (count > maxTriangles / triangleCount(scene))

@@ -173,6 +173,9 @@ class LightUpdate {
     light_.received.resize(gone_);
   }
 
+  /// Whether objects were added, removed or moved.
+  bool hasOtherGeometry() const { return !isSameGeometry(); }
+
   /// Keeps the unchanged rows, but nothing of the shot light.
   void keepRows() {
     const std::vector<double> shares = largestShares();
@@ -401,11 +404,11 @@ UpdateCost DynamicSolution::updateTo(EditedScene edit, const Progress& progress,
   addTo(emitted, sumOf(outside));
   const double allowed = settings_.solver.residual * (bandSum(emitted) > 0 ? bandSum(emitted) : light().lastEmitted);
   LightUpdate update(*world_, *next, edit.origins, rows_, settings_.solver.rowCacheBytes);
-  const bool startsOver = light().stale > maxStale * allowed;
-  if (startsOver)
-    update.keepRows();
-  else
-    update.update(light(), std::move(outside), shareLeftStale * (allowed - light().stale));
+  // Windows are parts of rows that are drawn with index maps.
+  const bool hasWindows = !settings_.rows && settings_.drawing.elementsBy == ElementsBy::Texture;
+  const bool startsOver = light().stale > maxStale * allowed || (update.hasOtherGeometry() && !hasWindows);
+  if (startsOver && hasWindows) update.keepRows();
+  if (!startsOver) update.update(light(), std::move(outside), shareLeftStale * (allowed - light().stale));
   UpdateCost cost = update.cost();
   cost.startedOver = startsOver;
 
@@ -414,15 +417,22 @@ UpdateCost DynamicSolution::updateTo(EditedScene edit, const Progress& progress,
   ShotLight shot = startsOver ? nothingShot(next->discretization.patches, bandCount(next->scene), std::move(outside))
                               : std::move(update.light());
   world_ = std::move(next);
+  PatchRows rows{.rowOf = [this](const Patch& patch) { return rowByViews(world_->drawn, rows_.ofViews, patch); },
+                 .split = world_->drawn.splits()};
+  if (settings_.rows) rows = settings_.rows(std::move(rows), scene(), discretization());
+  const Progress prepared = [&](const Step& step) {
+    if (rows.prepare) rows.prepare(step);
+    return !progress || progress(step);
+  };
   solution_ = refine({.scene = scene(),
                       .discretization = discretization(),
                       .patches = std::move(world_->discretization.patches),
-                      .rowOf = [this](const Patch& patch) { return rowByViews(world_->drawn, rows_.ofViews, patch); },
-                      .split = world_->drawn.splits(),
+                      .rowOf = rows.rowOf,
+                      .split = rows.split,
                       .settings = settings_.solver,
                       .snapshot = snapshot,
                       .isContinued = true},
-                     {std::move(shot), {std::move(rows_.ofPatches), RowCache(0)}}, progress);
+                     {std::move(shot), {std::move(rows_.ofPatches), RowCache(0)}}, prepared);
   rows_.ofPatches = std::move(solution_.continuation->rows.ofPatches);
   world_->discretization.patches = std::move(solution_.patches);
   return cost;

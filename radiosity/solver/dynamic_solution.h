@@ -36,6 +36,7 @@ struct DynamicSettings {
   DiscretizationSettings discretization = {};
   DrawingSettings drawing = {};
   SolverSettings solver = {};
+  OtherRows rows = {};  ///< empty: rows are drawn
 };
 
 /// The work of an update, except for its shots.
@@ -44,7 +45,8 @@ struct UpdateCost {
   int rowsWhole = 0;         ///< rows that were drawn completely, before and after the edit
   int rowsRetracted = 0;     ///< retracted rows, of patches that moved or were removed
   int rowsLeft = 0;          ///< stale rows, whose bound is part of the residual
-  bool startedOver = false;  ///< solved again: too much stale light, or too little emission to allow for it
+  bool startedOver = false;  ///< solved again: too much stale light, too little emission to allow for it, or objects
+                             ///< have changed and their rows are not drawn with index maps
 };
 
 /// As SceneFormFactors::row. Draws only the views whose rows are not in the cache, and keeps there those of patches

@@ -107,6 +107,17 @@ struct Step {
   std::function<std::vector<LikelyShot>(std::size_t count)> likelyShots;
 };
 
+/// The rows of a solution, and the patches that they are of.
+struct PatchRows {
+  RowSource rowOf;
+  PatchSplit split = {};                               ///< see SolveInput
+  double captured = 1;                                 ///< share of a patch's light that rows hold; the rest is lost
+  std::function<void(const Step& step)> prepare = {};  ///< called after each shot: computes rows of likely shots
+};
+
+/// Gives other rows than those that are drawn, or goes around these. The arguments outlive the rows.
+using OtherRows = std::function<PatchRows(PatchRows drawn, const Scene& scene, const Discretization& discretization)>;
+
 /// Called after each shot. The solution ends there if it returns false.
 using Progress = std::function<bool(const Step&)>;
 

@@ -163,6 +163,21 @@ def test_solve_with_a_bound_equals_hemitex_solve(tmp_path: Path) -> None:
     assert solution.expected_error == max(about["expected_error"], about["expected_error_seen"])
 
 
+def test_solve_of_facets_with_a_bound_equals_hemitex_solve(tmp_path: Path) -> None:
+    room = DATA / "paper-room.obj"
+    solution = hx.solve(hx.load_scene(room, facets=True), max_error=0.05)
+    run("solve", room, "--facets", "--max-error", 0.05, "-o", tmp_path)
+    assert np.array_equal(solution.radiosity, elements_of(tmp_path)["radiosity"])
+    assert solution.row_error == json.loads((tmp_path / "solution.json").read_text())["row_error"]
+    assert solution.expected_error is None
+    with pytest.raises(hx.InputError, match="whole facets"):
+        hx.solve(hx.discretize(hx.load_scene(room, facets=True), texels=2), max_error=0.05)
+    with pytest.raises(hx.InputError, match="hemicubes"):
+        hx.solve(hx.load_scene(room), max_error=0.05, method="single-plane")
+    with pytest.raises(hx.InputError, match="rays"):
+        hx.solve(hx.load_scene(room), method="ray")  # type: ignore[arg-type]
+
+
 def test_explain_equals_hemitex_vector_explain(tmp_path: Path) -> None:
     run("vector", "suite", "-o", tmp_path)
     vector = next(vector for vector in hx.vector_suite() if vector.name == "perspective-floor")

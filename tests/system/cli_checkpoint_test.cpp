@@ -139,6 +139,11 @@ TEST_CASE("A checkpoint that does not fit is refused with the reason", "[checkpo
   };
   refused(small + "--resume c --split 0.5", "c: belongs to other settings");
   refused(small + "--resume c --emit floor=1,1,1", "c: belongs to another scene");
+  // With --max-error the effort follows what the camera sees.
+  const std::string bounded = "solve room.obj --texels 2 --size 40x30 --max-error 0.4 -o out ";
+  shell.output(bounded + "--checkpoint seen");
+  shell.output(bounded + "--resume seen");
+  refused(bounded + "--fov 10 --resume seen", "seen: belongs to other settings");
   refused(small + "--resume room.obj", "room.obj: is not a checkpoint");
   refused(small + "--resume none", "none: cannot be read");
   refused(small + "--checkpoint room.obj/c", "room.obj is a file");

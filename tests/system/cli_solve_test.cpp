@@ -161,6 +161,30 @@ TEST_CASE("hemitex solve --emission radiance multiplies the emission of scenes, 
   CHECK(shell.run("solve room.obj -o out --emission lumen").exitCode == 2);
 }
 
+TEST_CASE("hemitex solve --edits updates light along the rows of a matrix, and refuses to move objects", "[cli]") {
+  const Shell shell;
+  shell.output("formfactors room.obj --all --facets --resolution 64 -o F.npz");
+  writeAll(shell.file("light.json"), R"({"frames": [[{"emission": "ceiling", "to": [0, 1, 2]}]]})");
+  writeAll(shell.file("move.json"), R"({"frames": [[], [{"move": "ceiling", "by": [0, 0.5, 0]}]]})");
+  const std::string alongRows = "solve room.obj --matrix F.npz --residual 1e-9 --no-textures --size 40x30 -o ";
+  shell.output(alongRows + "edited --edits light.json");
+  shell.output(alongRows + "new --emit ceiling=0,1,2");
+  const auto surfaces = [&](const std::string& folder) {
+    return json::parse(readAll(shell.file(folder + "/solution.json")))["surfaces"];
+  };
+  const json edited = surfaces("edited/frame-1"), fresh = surfaces("new");
+  REQUIRE(edited.size() == fresh.size());
+  REQUIRE(edited.size() == 6);
+  for (std::size_t s = 0; s < edited.size(); ++s)
+    for (std::size_t band = 0; band < 3; ++band)
+      CHECK(edited[s]["radiosity"][band].get<double>() ==
+            Approx(fresh[s]["radiosity"][band].get<double>()).epsilon(1e-7).margin(1e-7));
+  const Outcome moved = shell.run(alongRows + "moved --edits move.json");
+  CHECK(moved.exitCode == 2);
+  CHECK(moved.err.find("move.json: frame 2: --matrix holds the rows of one geometry") != std::string::npos);
+  CHECK_FALSE(std::filesystem::exists(shell.file("moved")));
+}
+
 TEST_CASE("hemitex solve reads names in Latin-1, and writes valid UTF-8", "[cli]") {
   const Shell shell;
   shell.execute(
@@ -329,8 +353,7 @@ TEST_CASE("hemitex solve refuses a wrong file of edits first, with its frame and
 TEST_CASE("hemitex solve treats a missing file of edits, and methods that cannot use edits, as bad usage", "[cli]") {
   const Shell shell;
   writeAll(shell.file("edits.json"), R"({"frames": []})");
-  for (const char* arguments :
-       {"none.json", "edits.json --method rays", "edits.json --discretize mesh"})
+  for (const char* arguments : {"none.json", "edits.json --method rays", "edits.json --discretize mesh"})
     CHECK(shell.run(quickSolve + "-o out --edits " + arguments).exitCode == 2);
 }
 

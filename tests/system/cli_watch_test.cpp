@@ -50,6 +50,25 @@ TEST_CASE("hemitex watch updates the solution after a saved colour, and solves a
   CHECK(readAll(shell.file("lit/report.html")).find(newsOf(shell)["version"].get<std::string>()) != std::string::npos);
 }
 
+TEST_CASE("hemitex watch solves in bands and along other rows, as hemitex solve does", "[cli]") {
+  const Shell shell;
+  writeAll(shell.file("bands.json"), R"({"wavelengths": [450, 500, 550, 600]})");
+  for (const std::string options : {"--bands bands.json", "--discretize mesh"}) {
+    CAPTURE(options);
+    const Outcome outcome = shell.execute(watching(options, "sed -i 's/^Ke .*/Ke 3 3 3/' room.mtl\nnext"));
+    CAPTURE(outcome.err);
+    REQUIRE(linesOf(outcome.out).size() == 3);
+    CHECK(lineOf(outcome, 1)["updated"] == true);
+    shell.output("solve room.obj --texels 4 --resolution 32 --size 40x30 -o new --no-textures " + options);
+    const json watched = json::parse(readAll(shell.file("lit/solution.json")))["energy"]["emitted"],
+               solved = json::parse(readAll(shell.file("new/solution.json")))["energy"]["emitted"];
+    REQUIRE(watched.size() == solved.size());
+    for (std::size_t band = 0; band < solved.size(); ++band)
+      CHECK(watched[band].get<double>() == Approx(solved[band].get<double>()).epsilon(1e-12));
+    shell.execute("rm -rf lit new; sed -i 's/^Ke .*/Ke 10 10 10/' room.mtl");
+  }
+}
+
 TEST_CASE("hemitex watch tells a fault of the scene in the page, and goes on when it is repaired", "[cli]") {
   const Shell shell;
   const Outcome outcome =
@@ -67,8 +86,8 @@ TEST_CASE("hemitex watch tells a fault of the scene in the page, and goes on whe
 
 TEST_CASE("hemitex watch refuses options that updates do not allow", "[cli]") {
   const Shell shell;
-  for (const char* option : {"--method rays", "--discretize mesh", "--adaptive 0.001", "--no-textures",
-                             "--edits e.json", "--checkpoint c", "--progress json"}) {
+  for (const char* option :
+       {"--adaptive 0.001", "--no-textures", "--edits e.json", "--checkpoint c", "--progress json", "--matrix F.npz"}) {
     CAPTURE(option);
     const Outcome outcome = shell.run("watch room.obj -o lit " + std::string(option));
     CHECK(outcome.exitCode == 2);

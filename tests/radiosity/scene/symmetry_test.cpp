@@ -100,3 +100,25 @@ TEST_CASE("setSymmetry refuses planes that cut a surface, and axes with two kind
   refuses({.period = {1, 1, 1}, .repeats = 1000}, "triangles");
   CHECK(scene.instances.size() == 1);
 }
+
+TEST_CASE("setSymmetry refuses repeats of nothing, and images whose positions binary32 cannot tell apart",
+          "[symmetry]") {
+  const auto messageOf = [](const Symmetry& symmetry) -> std::string {
+    Scene scene = corner();
+    try {
+      setSymmetry(scene, symmetry);
+    } catch (const raster::InputError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  CHECK(messageOf({.repeats = 2}).find("nothing is repeated") != std::string::npos);
+  CHECK(messageOf({.mirrors = {std::vector{0.0}, {}, {}}, .repeats = 2}).find("nothing is repeated") !=
+        std::string::npos);
+  CHECK(messageOf({.period = {1e300, 0, 0}}).find("along x is farther away") != std::string::npos);
+  CHECK(messageOf({.mirrors = {std::vector<double>{}, std::vector<double>{}, std::vector{-1e7, 1e7}}})
+            .find("along z is farther away") != std::string::npos);
+  CHECK(messageOf({.period = {0, 3, 0}, .repeats = 2}) == "");
+  CHECK(messageOf({.mirrors = {std::vector<double>{}, std::vector<double>{}, std::vector{0.0, 3.0}}, .repeats = 2}) ==
+        "");
+}

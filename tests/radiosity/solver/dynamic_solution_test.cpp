@@ -324,6 +324,30 @@ TEST_CASE("changeOf the mean of several points' rows is the change of the mean, 
   CHECK(changed > 50);
 }
 
+TEST_CASE("DynamicSolution::update along other rows updates light, and solves again where objects move", "[dynamic]") {
+  // Rows that are not drawn, such as those of rays or of a matrix, have no windows.
+  const DynamicSettings some = settings();
+  const Scene scene = lampRoom();
+  int made = 0;
+  const LightHooks hooks{.layOut = layOutIds, .rows = [&made](PatchRows drawn, const Scene&, const Discretization&) {
+                           ++made;
+                           return drawn;
+                         }};
+  DynamicSolution dynamic = editable(
+      scene,
+      light(scene, discretize(scene, some.discretization),
+            {.drawing = some.drawing, .solver = some.solver, .elements = some.discretization, .isContinued = true},
+            hooks),
+      hooks);
+  CHECK_FALSE(dynamic.update({{SetEmission{"lamp", {4, 4, 4}}}}).startedOver);
+  checkIsFresh(dynamic);
+  CHECK(dynamic.update({{Move{"cube", {0.5, 0.25, 0}}}}).startedOver);
+  checkIsFresh(dynamic);
+  CHECK_FALSE(dynamic.update({{SetReflectance{"room0", {0.1, 0.9, 0.5}}}}).startedOver);
+  checkIsFresh(dynamic);
+  CHECK(made == 4);
+}
+
 TEST_CASE("DynamicSolution::update draws a small part of what a new solution draws", "[dynamic]") {
   // Counts, because times differ between machines. A small object with one patch per face, while the old rows are still
   // in the cache. The update draws the rows of its new place and windows around both places.
