@@ -314,6 +314,8 @@ Scene makeScene(PolygonMesh mesh, const MaterialSource& materials, const std::fi
   if (settings.sides == Sides::TwoOfSheets) addBacks(scene, sheetsLitFromBothSides(scene));
   makeNamesUnique(scene.surfaces);
   if (scene.extent < smallestExtent) fail({file}, "the scene is smaller than 1e-18 units", "scale it up");
+  const std::vector<std::string> warnings = resolutionWarnings(scene);
+  scene.warnings.insert(scene.warnings.end(), warnings.begin(), warnings.end());
   return scene;
 }
 

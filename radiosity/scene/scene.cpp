@@ -1,10 +1,13 @@
 #include "radiosity/scene/scene.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "radiosity/spectra/colour.h"
+#include "raster/base/input_error.h"
 
 namespace hemitex::radiosity {
 namespace {
@@ -31,6 +34,76 @@ double roundingOf(double coordinate) {
   const double halfBit = std::ldexp(1.0, std::ilogb(coordinate) - 24);
   return std::fmod(coordinate / halfBit, 4) == 0 ? 0 : halfBit;
 }
+
+/// A box around points.
+struct Bounds {
+  glm::dvec3 low{std::numeric_limits<double>::max()}, high{std::numeric_limits<double>::lowest()};
+
+  void add(const glm::dvec3& point) {
+    low = glm::min(low, point);
+    high = glm::max(high, point);
+  }
+  double extent() const { return glm::length(high - low); }
+};
+
+/// The bounds of the triangles that are accepted.
+template <typename Accepts>
+Bounds boundsOf(const Scene& scene, const Accepts& accepts) {
+  Bounds bounds;
+  for (const Surface& surface : scene.surfaces)
+    for (const Triangle& triangle : surface.triangles)
+      if (accepts(triangle))
+        for (const glm::dvec3& corner : triangle.position) bounds.add(corner);
+  return bounds;
+}
+
+glm::dvec3 middleOf(const Triangle& triangle) {
+  return (triangle.position[0] + triangle.position[1] + triangle.position[2]) / 3.0;
+}
+
+/// The bounds leave out triangles that make them this many times as large as those of the others, unless these
+/// triangles have more than this share of all area.
+constexpr double farAway = 256, largestShareLeftOut = 0.2;
+
+/// The bounds of the triangles whose middles are not among the outermost tenth on either side along any axis.
+Bounds middleOf(const Scene& scene) {
+  std::array<std::vector<double>, 3> along;
+  for (const Surface& surface : scene.surfaces)
+    for (const Triangle& triangle : surface.triangles)
+      for (int axis = 0; axis < 3; ++axis) along[static_cast<std::size_t>(axis)].push_back(middleOf(triangle)[axis]);
+  glm::dvec3 low, high;
+  const auto outermost = static_cast<std::ptrdiff_t>((along[0].size() + 5) / 10);
+  for (int axis = 0; axis < 3; ++axis) {
+    std::vector<double>& values = along[static_cast<std::size_t>(axis)];
+    std::nth_element(values.begin(), values.begin() + outermost, values.end());
+    low[axis] = values[static_cast<std::size_t>(outermost)];
+    std::nth_element(values.begin(), values.end() - 1 - outermost, values.end());
+    high[axis] = *(values.end() - 1 - outermost);
+  }
+  return boundsOf(scene, [&](const Triangle& triangle) {
+    const glm::dvec3 middle = middleOf(triangle);
+    return glm::all(glm::greaterThanEqual(middle, low)) && glm::all(glm::lessThanEqual(middle, high));
+  });
+}
+
+/// The bounds of a scene without a few triangles far away from all others.
+Bounds boundsWithoutStrays(const Scene& scene) {
+  const Bounds all = boundsOf(scene, [](const Triangle&) { return true; }), middle = middleOf(scene);
+  if (!(all.extent() > farAway * middle.extent())) return all;
+  const glm::dvec3 centre = 0.5 * (middle.low + middle.high);
+  double sum = 0, kept = 0;
+  const Bounds near = boundsOf(scene, [&](const Triangle& triangle) {
+    const bool isNear = glm::distance(middleOf(triangle), centre) <= 0.5 * farAway * middle.extent();
+    sum += area(triangle);
+    if (isNear) kept += area(triangle);
+    return isNear;
+  });
+  return all.extent() > farAway * near.extent() && kept >= (1 - largestShareLeftOut) * sum ? near : all;
+}
+
+/// The largest rounding of coordinates that counts, in sizes of a usual triangle: one that is rounded by more has no
+/// shape to be in contact with.
+constexpr double largestRounding = 0x1p-12;
 
 }  // namespace
 
@@ -118,29 +191,53 @@ glm::dvec2 placedWeights(const glm::dvec2& weights, const Instance& instance) {
 
 std::size_t placedTriangleCount(const Scene& scene) { return scene.instances.size() * triangleCount(scene); }
 
-void measureBounds(Scene& scene) {
-  glm::dvec3 low(std::numeric_limits<double>::max()), high(std::numeric_limits<double>::lowest());
-  bool areRounded = true;
-  scene.rounding = 0;
-  for (const Surface& surface : scene.surfaces) {
-    for (const Triangle& triangle : surface.triangles) {
+double coordinateRounding(const Scene& scene) {
+  double rounding = 0;
+  for (const Surface& surface : scene.surfaces)
+    for (const Triangle& triangle : surface.triangles)
       for (const glm::dvec3& p : triangle.position) {
-        low = glm::min(low, p);
-        high = glm::max(high, p);
-        areRounded = areRounded && glm::dvec3(glm::vec3(p)) == p;
-        if (areRounded) scene.rounding = std::max({scene.rounding, roundingOf(p.x), roundingOf(p.y), roundingOf(p.z)});
+        if (glm::dvec3(glm::vec3(p)) != p) return 0;
+        rounding = std::max({rounding, roundingOf(p.x), roundingOf(p.y), roundingOf(p.z)});
       }
-    }
+  return rounding;
+}
+
+double medianSize(const Scene& scene) {
+  std::vector<double> areas;
+  for (const Surface& surface : scene.surfaces)
+    for (const Triangle& triangle : surface.triangles) areas.push_back(area(triangle));
+  const auto middle = areas.begin() + static_cast<std::ptrdiff_t>(areas.size() / 2);
+  std::nth_element(areas.begin(), middle, areas.end());
+  return std::sqrt(*middle);
+}
+
+void measureBounds(Scene& scene) {
+  Bounds bounds = boundsWithoutStrays(scene);
+  const Bounds first = bounds;
+  for (const Instance& instance : scene.instances) {
+    bounds.add(instance(first.low));
+    bounds.add(instance(first.high));
   }
-  const glm::dvec3 firstLow = low, firstHigh = high;
-  for (const Instance& instance : scene.instances)
-    for (const glm::dvec3& corner : {instance(firstLow), instance(firstHigh)}) {
-      low = glm::min(low, corner);
-      high = glm::max(high, corner);
-    }
-  scene.origin = 0.5 * (low + high);
-  scene.extent = glm::length(high - low);
-  if (!areRounded) scene.rounding = 0;
+  scene.origin = 0.5 * (bounds.low + bounds.high);
+  scene.extent = bounds.extent();
+  scene.rounding = coordinateRounding(scene);
+  if (scene.rounding > 0) scene.rounding = std::min(scene.rounding, largestRounding * medianSize(scene));
+}
+
+std::vector<std::string> resolutionWarnings(const Scene& scene) {
+  std::vector<std::string> warnings;
+  for (const Surface& surface : scene.surfaces)
+    if (std::any_of(surface.triangles.begin(), surface.triangles.end(), [&](const Triangle& triangle) {
+          return glm::distance(triangle.position[0], scene.origin) > scene.extent;
+        }))
+      warnings.push_back("`" + raster::excerpt(surface.name) +
+                         "` lies more than a hundred times the size of the other surfaces away from them; positions "
+                         "there are too coarse for its own light");
+  if (warnings.size() > 3) {
+    warnings[2] = std::to_string(warnings.size() - 2) + " more surfaces are as far away";
+    warnings.resize(3);
+  }
+  return warnings;
 }
 
 double contactTolerance(const Scene& scene) { return 8 * std::max(0x1p-24 * scene.extent, scene.rounding); }

@@ -75,7 +75,7 @@ struct SceneCamera {
 };
 
 struct Scene {
-  glm::dvec3 origin{0.0};  ///< the centre of the bounds
+  glm::dvec3 origin{0.0};  ///< the centre of the bounds (see measureBounds)
   double extent = 0;       ///< the diagonal of the bounds
   double rounding = 0;  ///< by how much the file rounds coordinates to binary32 (see measureBounds); often unknown: 0
   std::vector<Material> materials;
@@ -169,10 +169,19 @@ inline constexpr std::uint64_t bytesPerTriangle = 800;
 /// The sum over the RGB bands.
 inline double bandSum(const glm::dvec3& bands) { return bands.x + bands.y + bands.z; }
 
-/// Sets the origin, the extent and the rounding of a scene that has a surface, from all its instances. If all
-/// coordinates are binary32 numbers, as in glTF, one that needs all 24 bits is off by up to half of the last one. Those
-/// with fewer bits count as exact.
+/// By how much the coordinates of a scene are rounded. If all are binary32 numbers, as in glTF, one that needs all 24
+/// bits is off by up to half of the last one. Those with fewer bits count as exact. 0 if one is not binary32.
+double coordinateRounding(const Scene& scene);
+/// The root of the median area of triangles. The scene must have one.
+double medianSize(const Scene& scene);
+
+/// Sets the origin, the extent and the rounding of a scene that has a surface, from all its instances. A few triangles
+/// far away, which would make the bounds 256 times as large, do not count, so that they do not make positions coarse.
+/// The rounding is at most 2^-12 of medianSize.
 void measureBounds(Scene& scene);
+
+/// One sentence for each surface outside the bounds, and one for the rest if there are many.
+std::vector<std::string> resolutionWarnings(const Scene& scene);
 
 /// The distance up to which faces are in contact, in units of the file: eight times the rounding of coordinates to
 /// binary32, 2^-24 of the scene's extent or more (see Scene::rounding). Each of two corners is off by up to the root of

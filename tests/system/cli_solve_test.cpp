@@ -185,6 +185,29 @@ TEST_CASE("hemitex solve --edits updates light along the rows of a matrix, and r
   CHECK_FALSE(std::filesystem::exists(shell.file("moved")));
 }
 
+TEST_CASE("hemitex solve finds the light of a room that lies far from the origin, or beside a far triangle", "[cli]") {
+  const Shell shell;
+  shell.execute(
+      "cp room.obj stray.obj; printf 'v 3e6 0 0\\nv 3000001 0 0\\nv 3e6 1 0\\ng far\\nf -3 -2 -1\\n' >> stray.obj");
+  shell.execute(
+      "awk '/^v /{$2 += 1e7; $3 += 1e7; $4 += 1e7; printf \"v %.0f %.0f %.0f\\n\", $2, $3, $4; next} 1' "
+      "room.obj > moved.obj");
+  const auto radiosity = [&](const std::string& name) {
+    shell.output("solve " + name + ".obj --texels 4 --no-textures --size 40x30 -o " + name);
+    std::vector<double> values;
+    for (const json& surface : json::parse(readAll(shell.file(name + "/solution.json")))["surfaces"])
+      values.push_back(surface["radiosity"][0]);
+    values.resize(6);
+    return values;
+  };
+  const std::vector<double> right = radiosity("room");
+  for (const char* name : {"stray", "moved"}) {
+    const std::vector<double> found = radiosity(name);
+    // The eye over a surface is 2^-9 of a triangle's size above it where coordinates may be rounded.
+    for (std::size_t s = 0; s < right.size(); ++s) CHECK(found[s] == Approx(right[s]).epsilon(0.005));
+  }
+}
+
 TEST_CASE("hemitex solve reads names in Latin-1, and writes valid UTF-8", "[cli]") {
   const Shell shell;
   shell.execute(

@@ -86,6 +86,37 @@ TEST_CASE("loadScene makes six surfaces of one family from a cube in one group",
   for (std::uint32_t p = 0; p < 6; ++p) CHECK(scene.surfaces[p].triangles[1].polygon == p);
 }
 
+TEST_CASE("A few triangles far away do not count in the bounds, and are named", "[scene]") {
+  const std::string box = cubeVertices + "g box\n" + cubeFaces;
+  const auto withTriangleAt = [&](const std::string& x, const std::string& size) {
+    return load(box + "v " + x + " 0 0\nv " + x + " " + size + " 0\nv " + x + " 0 " + size + "\ng far\nf -3 -2 -1\n");
+  };
+  for (const char* x : {"1000", "1e5", "3e6", "-1e8"}) {
+    CAPTURE(x);
+    const Scene scene = withTriangleAt(x, "1");
+    CHECK(scene.origin == glm::dvec3(0.5));
+    CHECK(scene.extent == Approx(std::sqrt(3.0)));
+    CHECK(warns(scene, {"`far`", "away"}));
+  }
+  // Near enough, or large: a ground is part of the scene.
+  for (const Scene& scene : {withTriangleAt("100", "1"), withTriangleAt("1e5", "10")}) {
+    CHECK(scene.extent > 90);
+    CHECK_FALSE(warns(scene, {"`far`"}));
+  }
+}
+
+TEST_CASE("Coordinates that binary32 would round count as rounded by at most 2^-12 of the size of triangles",
+          "[scene]") {
+  std::string moved;
+  for (int i = 0; i < 8; ++i)
+    moved += "v " + std::to_string(10000000 + i % 2) + " " + std::to_string(10000000 + i / 2 % 2) + " " +
+             std::to_string(10000000 + i / 4) + "\n";
+  const Scene scene = load(moved + "f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n");
+  CHECK(coordinateRounding(scene) == 0.5);
+  CHECK(medianSize(scene) == Approx(std::sqrt(0.5)));
+  CHECK(scene.rounding == Approx(0x1p-12 * std::sqrt(0.5)));
+}
+
 TEST_CASE("loadScene names surfaces by group, and by material where a group has several, without duplicates",
           "[scene]") {
   struct Case {
