@@ -58,7 +58,7 @@ void addSolverOptions(Command command, SolveOptions& options) {
                   "stop when the unshot flux is at most this share of the emitted flux (default 0.001; 0.00001 with "
                   "light from outside)");
   addInteger(command, "--shots", settings.shots, 0, std::numeric_limits<int>::max(),
-             "stop after N shots, or when nothing is left to shoot (default: see --residual)")
+             "stop after N shots, or at the default residual (default: see --residual)")
       .excludes(residual);
   const auto readCache = [&settings](const std::string& text) {
     const int mebibytes = integerOption("--row-cache", text, 0, std::numeric_limits<int>::max());
@@ -236,10 +236,6 @@ radiosity::Scene loadedScene(const SolveOptions& options) {
   scene.files.insert(scene.files.end(), read.files.begin(), read.files.end());
   requireLight(scene, options.scene.file);
   return scene;
-}
-
-double residualOf(const SolveOptions& options, const radiosity::Scene& scene) {
-  return options.residual.value_or(options.solver.shots ? 0 : radiosity::defaultResidual(scene));
 }
 
 void completeOptions(Command command, SolveOptions& options) {

@@ -27,7 +27,7 @@ struct SolveOptions {
   std::uint32_t seed = 0;
   radiosity::IdSettings id;
   radiosity::SolverSettings solver;
-  std::optional<double> residual;  ///< of `solver`; see residualOf
+  std::optional<double> residual;  ///< of `solver`; see radiosity::defaultResidual
   std::optional<double> maxError;
   std::optional<radiosity::TextureFilter> filter;  ///< see filterOf for the default
   std::optional<int> magnification;                ///< see magnificationOf for the default
@@ -53,9 +53,6 @@ void addSolveOptions(Command command, SolveOptions& options, Context& context);
 /// stands for. Its files include those of the bands. Throws InputError as loading, as readBands, and for bands without
 /// light.
 radiosity::Scene loadedScene(const SolveOptions& options);
-
-/// The residual that ends a solution: as given, 0 if a number of shots is given, or the default of the scene.
-double residualOf(const SolveOptions& options, const radiosity::Scene& scene);
 
 /// Completes and checks the options after the whole command line is read: sets the projection, and throws a usage error
 /// for contradicting options.

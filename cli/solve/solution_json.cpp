@@ -197,7 +197,7 @@ ordered_json solutionSettings(const SolveOptions& options) {
   settings.update(rays);
   settings.update(toJson(options.id));
   settings.update({{"max_error", orNull(options.maxError)},
-                   {"residual", options.solver.shots ? ordered_json() : ordered_json(options.solver.residual)},
+                   {"residual", options.solver.residual},
                    {"shots", orNull(options.solver.shots)}});
   if (!options.bands.empty()) settings["bands"] = reference::sha256OfFile(options.bands);
   if (!options.matrix.empty()) settings["matrix"] = reference::sha256OfFile(options.matrix);

@@ -165,7 +165,7 @@ TEST_CASE("hemitex solve --edits updates light along the rows of a matrix, and r
   const Shell shell;
   shell.output("formfactors room.obj --all --facets --resolution 64 -o F.npz");
   writeAll(shell.file("light.json"), R"({"frames": [[{"emission": "ceiling", "to": [0, 1, 2]}]]})");
-  writeAll(shell.file("move.json"), R"({"frames": [[], [{"move": "ceiling", "by": [0, 0.5, 0]}]]})");
+  writeAll(shell.file("move.json"), R"({"frames": [[], [{"move": "ceiling*", "by": [0, 0.5, 0]}]]})");
   const std::string alongRows = "solve room.obj --matrix F.npz --residual 1e-9 --no-textures --size 40x30 -o ";
   shell.output(alongRows + "edited --edits light.json");
   shell.output(alongRows + "new --emit ceiling=0,1,2");
@@ -373,11 +373,8 @@ TEST_CASE("hemitex solve refuses a wrong file of edits first, with its frame and
   CHECK(shell.files() == before);
 }
 
-TEST_CASE("hemitex solve treats a missing file of edits, and methods that cannot use edits, as bad usage", "[cli]") {
-  const Shell shell;
-  writeAll(shell.file("edits.json"), R"({"frames": []})");
-  for (const char* arguments : {"none.json", "edits.json --method rays", "edits.json --discretize mesh"})
-    CHECK(shell.run(quickSolve + "-o out --edits " + arguments).exitCode == 2);
+TEST_CASE("hemitex solve treats a missing file of edits as bad usage", "[cli]") {
+  CHECK(Shell().run(quickSolve + "-o out --edits none.json").exitCode == 2);
 }
 
 TEST_CASE("hemitex solve --discretize mesh gives the results of textures", "[cli]") {
