@@ -103,7 +103,7 @@ Bounds boundsWithoutStrays(const Scene& scene) {
 
 /// The largest rounding of coordinates that counts, in sizes of a usual triangle: one that is rounded by more has no
 /// shape to be in contact with.
-constexpr double largestRounding = 0x1p-12;
+constexpr double largestRounding = 0x1p-13;
 
 }  // namespace
 
@@ -202,13 +202,10 @@ double coordinateRounding(const Scene& scene) {
   return rounding;
 }
 
-double medianSize(const Scene& scene) {
-  std::vector<double> areas;
-  for (const Surface& surface : scene.surfaces)
-    for (const Triangle& triangle : surface.triangles) areas.push_back(area(triangle));
-  const auto middle = areas.begin() + static_cast<std::ptrdiff_t>(areas.size() / 2);
-  std::nth_element(areas.begin(), middle, areas.end());
-  return std::sqrt(*middle);
+double meanSize(const Scene& scene) {
+  double sum = 0;
+  for (const Surface& surface : scene.surfaces) sum += area(surface);
+  return std::sqrt(sum / static_cast<double>(triangleCount(scene)));
 }
 
 void measureBounds(Scene& scene) {
@@ -221,7 +218,7 @@ void measureBounds(Scene& scene) {
   scene.origin = 0.5 * (bounds.low + bounds.high);
   scene.extent = bounds.extent();
   scene.rounding = coordinateRounding(scene);
-  if (scene.rounding > 0) scene.rounding = std::min(scene.rounding, largestRounding * medianSize(scene));
+  if (scene.rounding > 0) scene.rounding = std::min(scene.rounding, largestRounding * meanSize(scene));
 }
 
 std::vector<std::string> resolutionWarnings(const Scene& scene) {

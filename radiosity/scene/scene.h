@@ -172,12 +172,12 @@ inline double bandSum(const glm::dvec3& bands) { return bands.x + bands.y + band
 /// By how much the coordinates of a scene are rounded. If all are binary32 numbers, as in glTF, one that needs all 24
 /// bits is off by up to half of the last one. Those with fewer bits count as exact. 0 if one is not binary32.
 double coordinateRounding(const Scene& scene);
-/// The root of the median area of triangles. The scene must have one.
-double medianSize(const Scene& scene);
+/// The root of the mean area of triangles. The scene must have one.
+double meanSize(const Scene& scene);
 
 /// Sets the origin, the extent and the rounding of a scene that has a surface, from all its instances. A few triangles
 /// far away, which would make the bounds 256 times as large, do not count, so that they do not make positions coarse.
-/// The rounding is at most 2^-12 of medianSize.
+/// The rounding is at most 2^-13 of meanSize.
 void measureBounds(Scene& scene);
 
 /// One sentence for each surface outside the bounds, and one for the rest if there are many.

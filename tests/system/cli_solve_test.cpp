@@ -203,7 +203,7 @@ TEST_CASE("hemitex solve finds the light of a room that lies far from the origin
   const std::vector<double> right = radiosity("room");
   for (const char* name : {"stray", "moved"}) {
     const std::vector<double> found = radiosity(name);
-    // The eye over a surface is 2^-9 of a triangle's size above it where coordinates may be rounded.
+    // The eye over a surface is 2^-10 of a triangle's size above it where coordinates may be rounded.
     for (std::size_t s = 0; s < right.size(); ++s) CHECK(found[s] == Approx(right[s]).epsilon(0.005));
   }
 }

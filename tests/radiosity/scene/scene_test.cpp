@@ -105,7 +105,7 @@ TEST_CASE("A few triangles far away do not count in the bounds, and are named", 
   }
 }
 
-TEST_CASE("Coordinates that binary32 would round count as rounded by at most 2^-12 of the size of triangles",
+TEST_CASE("Coordinates that binary32 would round count as rounded by at most 2^-13 of the size of triangles",
           "[scene]") {
   std::string moved;
   for (int i = 0; i < 8; ++i)
@@ -113,8 +113,8 @@ TEST_CASE("Coordinates that binary32 would round count as rounded by at most 2^-
              std::to_string(10000000 + i / 4) + "\n";
   const Scene scene = load(moved + "f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n");
   CHECK(coordinateRounding(scene) == 0.5);
-  CHECK(medianSize(scene) == Approx(std::sqrt(0.5)));
-  CHECK(scene.rounding == Approx(0x1p-12 * std::sqrt(0.5)));
+  CHECK(meanSize(scene) == Approx(std::sqrt(0.5)));
+  CHECK(scene.rounding == Approx(0x1p-13 * std::sqrt(0.5)));
 }
 
 TEST_CASE("loadScene names surfaces by group, and by material where a group has several, without duplicates",
