@@ -288,7 +288,9 @@ class LightUpdate {
 
   /// Keeps the rows of views of which no change, or one each, is given.
   void keepViews(std::uint32_t patch, const RowChange& change) {
-    const std::uint32_t views = std::max(1u, viewCount(patchBefore(patch)));
+    // A patch has no view of parts without area.
+    const std::uint32_t views = change.views.empty() ? std::max(1u, viewCount(patchBefore(patch)))
+                                                     : static_cast<std::uint32_t>(change.views.size());
     for (std::uint32_t view = 0; view < views; ++view)
       keepView(patch, view, change.views.empty() ? RowChange() : change.views[view]);
   }

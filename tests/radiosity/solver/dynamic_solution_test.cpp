@@ -324,6 +324,27 @@ TEST_CASE("changeOf the mean of several points' rows is the change of the mean, 
   CHECK(changed > 50);
 }
 
+TEST_CASE("DynamicSolution::update follows patches with fewer views than points", "[dynamic]") {
+  // Half of the points of an element at the long side of a triangle have no area.
+  Scene scene = lampRoom();
+  Surface sail = tests::parallelogram("sail", {0.5, 0.5, 1.25}, {1.5, 0, 0.25}, {0, 1.5, 0.25});
+  sail.triangles.resize(1);
+  scene.surfaces.insert(scene.surfaces.begin(), sail);
+  measureBounds(scene);
+  DynamicSettings split = settings();
+  split.drawing.split = 0.001;
+  DynamicSolution dynamic = solved(split, softwareRenderer, scene);
+  SceneFormFactors drawn(dynamic.scene(), dynamic.discretization(), dynamic.layout(), split.drawing);
+  const std::vector<Patch>& patches = dynamic.discretization().patches.list;
+  CHECK(std::any_of(patches.begin(), patches.end(), [&](const Patch& patch) {
+    return drawn.uncorrected().pointsOfPatch(patch).size() < static_cast<std::size_t>(patch.points * patch.points);
+  }));
+  dynamic.update({{Move{"cube", {0.5, 0.25, 0}}}});
+  checkIsFresh(dynamic, split.drawing);
+  dynamic.update({{Move{"cube", {-0.5, 0, 0}}}});
+  checkIsFresh(dynamic, split.drawing);
+}
+
 TEST_CASE("DynamicSolution::update along other rows updates light, and solves again where objects move", "[dynamic]") {
   // Rows that are not drawn, such as those of rays or of a matrix, have no windows.
   const DynamicSettings some = settings();
