@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "cli/common/json.h"
 #include "cli/common/numbers.h"
 
 namespace hemitex::cli {
@@ -40,7 +41,7 @@ void addSymmetryOptions(Command command, radiosity::Symmetry& symmetry) {
 nlohmann::ordered_json toJson(const radiosity::Symmetry& symmetry) {
   return {{"mirrors", {{"x", symmetry.mirrors[0]}, {"y", symmetry.mirrors[1]}, {"z", symmetry.mirrors[2]}}},
           {"period", {symmetry.period.x, symmetry.period.y, symmetry.period.z}},
-          {"repeats", symmetry.repeats ? nlohmann::ordered_json(*symmetry.repeats) : nlohmann::ordered_json()}};
+          {"repeats", orNull(symmetry.repeats)}};
 }
 
 }  // namespace hemitex::cli

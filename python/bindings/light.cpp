@@ -193,13 +193,9 @@ py::dict aboutSolution(const Solved& solved) {
                  "energy"_a = py::dict("emitted"_a = listed(energy.emitted), "absorbed"_a = listed(energy.absorbed),
                                        "unshot"_a = listed(energy.unshot), "lost"_a = listed(energy.lost),
                                        "lost_to_backs"_a = listed(energy.lostToBacks)));
-  const auto orNone = [](const std::optional<double>& value) {
-    return value ? py::object(py::float_(*value)) : py::object(py::none());
-  };
   const std::vector<double>& errors = *solved.method.errors;
-  about["expected_error"] =
-      orNone(solved.expectedErrors ? std::optional(solved.expectedErrors->larger()) : std::nullopt);
-  about["row_error"] = orNone(errors.empty() ? std::nullopt : std::optional(*std::ranges::max_element(errors)));
+  about["expected_error"] = solved.expectedErrors ? std::optional(solved.expectedErrors->larger()) : std::nullopt;
+  about["row_error"] = errors.empty() ? std::nullopt : std::optional(*std::ranges::max_element(errors));
   return about;
 }
 

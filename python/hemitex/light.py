@@ -98,7 +98,8 @@ def solve(what: Scene | Elements,
 
     residual: stops when so much of the emitted flux is unshot (default 0.001; 0.00001 with light from outside).
     max_error: solves with growing effort until the expected error is at most this share, of all flux and of what
-    `seen_by` sees; of facets, bounds the error of every row of form factors. format: channels of item IDs. editable: `edit` takes the solution.
+    `seen_by` sees; of facets, bounds the error of every row of form factors. format: channels of item IDs.
+    editable: `edit` takes the solution.
     progress: a function of the share that is done; if it returns False, the solution ends with what it has.
     """
     elements = _elements(what, editable)

@@ -80,10 +80,7 @@ class Solutions {
       rows.rowOf = [&](const Patch& patch) { return ahead->row(patch); };
       rows.prepare = [&](const Step& step) { ahead->lookAhead(step); };
     }
-    const Progress progress = [&](const Step& step) {
-      if (rows.prepare) rows.prepare(step);
-      return !start.progress || start.progress(step);
-    };
+    const Progress progress = preparing(rows, start.progress);
     SolveInput input{.scene = scene_,
                      .discretization = result_.discretization,
                      .patches = std::move(result_.discretization.patches),

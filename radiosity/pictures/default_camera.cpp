@@ -61,10 +61,6 @@ glm::dvec3 areaVector(const Triangle& triangle) {
   return 0.5 * glm::cross(b - a, c - a);
 }
 
-glm::dvec3 middleOf(const Triangle& triangle) {
-  return (triangle.position[0] + triangle.position[1] + triangle.position[2]) / 3.0;
-}
-
 /// The largest area of fronts that face up to within 45 degrees, at about one height in the lower half of the scene.
 struct Floor {
   int up = 1;              ///< axis

@@ -57,16 +57,12 @@ Bounds boundsOf(const Scene& scene, const Accepts& accepts) {
   return bounds;
 }
 
-glm::dvec3 middleOf(const Triangle& triangle) {
-  return (triangle.position[0] + triangle.position[1] + triangle.position[2]) / 3.0;
-}
-
 /// The bounds leave out triangles that make them this many times as large as those of the others, unless these
 /// triangles have more than this share of all area.
 constexpr double farAway = 256, largestShareLeftOut = 0.2;
 
 /// The bounds of the triangles whose middles are not among the outermost tenth on either side along any axis.
-Bounds middleOf(const Scene& scene) {
+Bounds boundsOfMost(const Scene& scene) {
   std::array<std::vector<double>, 3> along;
   for (const Surface& surface : scene.surfaces)
     for (const Triangle& triangle : surface.triangles)
@@ -88,7 +84,7 @@ Bounds middleOf(const Scene& scene) {
 
 /// The bounds of a scene without a few triangles far away from all others.
 Bounds boundsWithoutStrays(const Scene& scene) {
-  const Bounds all = boundsOf(scene, [](const Triangle&) { return true; }), middle = middleOf(scene);
+  const Bounds all = boundsOf(scene, [](const Triangle&) { return true; }), middle = boundsOfMost(scene);
   if (!(all.extent() > farAway * middle.extent())) return all;
   const glm::dvec3 centre = 0.5 * (middle.low + middle.high);
   double sum = 0, kept = 0;
@@ -140,6 +136,10 @@ Bands emissionInBands(const Scene& scene, const Material& material) {
 }
 
 double area(const Triangle& triangle) { return 0.5 * glm::length(doubledArea(triangle)); }
+
+glm::dvec3 middleOf(const Triangle& triangle) {
+  return (triangle.position[0] + triangle.position[1] + triangle.position[2]) / 3.0;
+}
 
 double area(const Surface& surface) {
   double sum = 0;
@@ -225,7 +225,9 @@ std::vector<std::string> resolutionWarnings(const Scene& scene) {
   std::vector<std::string> warnings;
   for (const Surface& surface : scene.surfaces)
     if (std::any_of(surface.triangles.begin(), surface.triangles.end(), [&](const Triangle& triangle) {
-          return glm::distance(triangle.position[0], scene.origin) > scene.extent;
+          return std::any_of(triangle.position.begin(), triangle.position.end(), [&](const glm::dvec3& corner) {
+            return glm::distance(corner, scene.origin) > scene.extent;
+          });
         }))
       warnings.push_back("`" + raster::excerpt(surface.name) +
                          "` lies more than a hundred times the size of the other surfaces away from them; positions "

@@ -119,6 +119,7 @@ bool hasMaps(const Scene& scene);
 /// The area of a triangle, and its unit normal on the front side.
 double area(const Triangle& triangle);
 glm::dvec3 normal(const Triangle& triangle);
+glm::dvec3 middleOf(const Triangle& triangle);
 /// The area of all triangles of a surface.
 double area(const Surface& surface);
 

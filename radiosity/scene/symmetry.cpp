@@ -118,7 +118,7 @@ void setSymmetry(Scene& scene, const Symmetry& symmetry) {
     for (const AxisImage& y : along[1])
       for (const AxisImage& x : along[0])
         scene.instances.push_back({{x.sign, y.sign, z.sign}, {x.shift, y.shift, z.shift}});
-  measureBounds(scene);
+  if (scene.instances.size() > 1) measureBounds(scene);
 }
 
 }  // namespace hemitex::radiosity

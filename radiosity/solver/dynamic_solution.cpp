@@ -173,8 +173,8 @@ class LightUpdate {
     light_.received.resize(gone_);
   }
 
-  /// Whether objects were added, removed or moved.
-  bool hasOtherGeometry() const { return !isSameGeometry(); }
+  /// Whether no object was added, removed or moved.
+  bool isSameGeometry() const { return change_.gone.empty() && change_.come.empty(); }
 
   /// Keeps the unchanged rows, but nothing of the shot light.
   void keepRows() {
@@ -208,7 +208,7 @@ class LightUpdate {
   /// Bounds of the share of each former patch's light through pixels that can change.
   std::vector<double> largestShares() const {
     std::vector<double> shares(before_.discretization.patches.list.size());
-    if (change_.gone.empty() && change_.come.empty()) return shares;
+    if (isSameGeometry()) return shares;
     for (std::uint32_t p = 0; p < shares.size(); ++p) {
       if (!numbers_.patch[p]) continue;  // all its shots are retracted
       const Patch& patch = patchBefore(p);
@@ -221,8 +221,6 @@ class LightUpdate {
     }
     return shares;
   }
-
-  bool isSameGeometry() const { return change_.gone.empty() && change_.come.empty(); }
 
   /// Takes over the rows of small elements whose views are unchanged.
   void carryNearRows() {
@@ -324,7 +322,7 @@ class LightUpdate {
     const FormFactorRow drawn = drawnBefore(patch);
     const RowChange change = changeOf(change_, old, now, &drawn);
     FormFactorRow drawnAfter;
-    if (viewCount(old) == 0 || (change.isWhole && change.views.empty())) {
+    if (viewCount(old) == 0 || change.isWhole) {
       drawnAfter = changed(renumbered(drawn), renumbered(change.before), change);
       if (viewCount(old) == 0) rows_.ofViews.keep(viewNumber(number, 0), drawnAfter);
     } else {
@@ -408,7 +406,7 @@ UpdateCost DynamicSolution::updateTo(EditedScene edit, const Progress& progress,
   LightUpdate update(*world_, *next, edit.origins, rows_, settings_.solver.rowCacheBytes);
   // Windows are parts of rows that are drawn with index maps.
   const bool hasWindows = !settings_.rows && settings_.drawing.elementsBy == ElementsBy::Texture;
-  const bool startsOver = light().stale > maxStale * allowed || (update.hasOtherGeometry() && !hasWindows);
+  const bool startsOver = light().stale > maxStale * allowed || (!update.isSameGeometry() && !hasWindows);
   if (startsOver && hasWindows) update.keepRows();
   if (!startsOver) update.update(light(), std::move(outside), shareLeftStale * (allowed - light().stale));
   UpdateCost cost = update.cost();
@@ -422,10 +420,6 @@ UpdateCost DynamicSolution::updateTo(EditedScene edit, const Progress& progress,
   PatchRows rows{.rowOf = [this](const Patch& patch) { return rowByViews(world_->drawn, rows_.ofViews, patch); },
                  .split = world_->drawn.splits()};
   if (settings_.rows) rows = settings_.rows(std::move(rows), scene(), discretization());
-  const Progress prepared = [&](const Step& step) {
-    if (rows.prepare) rows.prepare(step);
-    return !progress || progress(step);
-  };
   solution_ = refine({.scene = scene(),
                       .discretization = discretization(),
                       .patches = std::move(world_->discretization.patches),
@@ -434,7 +428,7 @@ UpdateCost DynamicSolution::updateTo(EditedScene edit, const Progress& progress,
                       .settings = settings_.solver,
                       .snapshot = snapshot,
                       .isContinued = true},
-                     {std::move(shot), {std::move(rows_.ofPatches), RowCache(0)}}, prepared);
+                     {std::move(shot), {std::move(rows_.ofPatches), RowCache(0)}}, preparing(rows, progress));
   rows_.ofPatches = std::move(solution_.continuation->rows.ofPatches);
   world_->discretization.patches = std::move(solution_.patches);
   return cost;

@@ -248,6 +248,13 @@ double defaultResidual(const Scene& scene) {
   return brightest(scene.outside) > 0 ? withoutOutside * outsideShare : withoutOutside;
 }
 
+Progress preparing(const PatchRows& rows, const Progress& progress) {
+  return [&rows, &progress](const Step& step) {
+    if (rows.prepare) rows.prepare(step);
+    return !progress || progress(step);
+  };
+}
+
 Solution solve(SolveInput input, const Progress& progress) {
   assert(!input.patches.list.empty());
   ShotLight nothing = input.snapshot ? ShotLight{.outside = std::move(input.outside)}

@@ -121,6 +121,9 @@ using OtherRows = std::function<PatchRows(PatchRows drawn, const Scene& scene, c
 /// Called after each shot. The solution ends there if it returns false.
 using Progress = std::function<bool(const Step&)>;
 
+/// A progress that first computes the rows of likely shots. Both arguments must outlive it.
+Progress preparing(const PatchRows& rows, const Progress& progress);
+
 /// Starts from the emission of the elements and the light from outside, and shoots until a limit of the settings is
 /// reached. The result does not depend on the number of threads, on the memory of the row cache, or on snapshots.
 /// Throws InputError for a snapshot of another solution.

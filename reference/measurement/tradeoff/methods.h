@@ -1,6 +1,6 @@
 /// The methods that are compared in time and error. Each computes rows of patches and has one setting, its resolution
-/// or number of rays. To add a method, add an entry to the list, and a line to
-/// cli/report/tradeoff.html that says what it is.
+/// or number of rays. To add a method, add an entry to the list, and a line that
+/// says what it is to cli/report/tradeoff.html.
 #pragma once
 
 #include <cstddef>

@@ -24,11 +24,6 @@ Scene corner() {
   return scene;
 }
 
-glm::dvec3 middleOf(const Triangle& triangle) {
-  const auto& [a, b, c] = triangle.position;
-  return (a + b + c) / 3.0;
-}
-
 std::vector<Triangle> placedTriangles(const Scene& scene) {
   std::vector<Triangle> triangles;
   forEachPlace(scene, [&](const TrianglePlace& place) { triangles.push_back(placed(scene, place)); });
