@@ -18,27 +18,10 @@ constexpr int viewWidth = 64;
 constexpr int viewHeight = 48;
 constexpr double viewFov = 60;
 
-struct Bounds {
-  glm::dvec3 low{std::numeric_limits<double>::max()}, high{std::numeric_limits<double>::lowest()};
-
-  void include(const Triangle& triangle) {
-    for (const glm::dvec3& position : triangle.position) {
-      low = glm::min(low, position);
-      high = glm::max(high, position);
-    }
-  }
-};
-
 template <typename Visit>
 void forEachTriangle(const Scene& scene, Visit visit) {
   for (const Surface& surface : scene.surfaces)
     for (const Triangle& triangle : surface.triangles) visit(triangle);
-}
-
-Bounds boundsOf(const Scene& scene) {
-  Bounds bounds;
-  forEachTriangle(scene, [&](const Triangle& triangle) { bounds.include(triangle); });
-  return bounds;
 }
 
 /// The two axes other than `up`.

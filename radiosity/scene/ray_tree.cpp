@@ -16,19 +16,6 @@ constexpr double minCosine = 1 / 64.0;
 constexpr std::size_t bins = 16;
 constexpr int maxDepthOfBins = 32;
 
-struct Bounds {
-  glm::dvec3 low{std::numeric_limits<double>::infinity()}, high{-std::numeric_limits<double>::infinity()};
-
-  void include(const glm::dvec3& point) {
-    low = glm::min(low, point);
-    high = glm::max(high, point);
-  }
-  void include(const Bounds& other) {
-    low = glm::min(low, other.low);
-    high = glm::max(high, other.high);
-  }
-};
-
 /// The expected cost of the rays through a node: its surface area times its triangles (Goldsmith and Salmon 1987).
 double costOf(const Bounds& bounds, std::uint32_t triangles) {
   if (triangles == 0) return 0;

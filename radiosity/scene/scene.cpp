@@ -35,16 +35,7 @@ double roundingOf(double coordinate) {
   return std::fmod(coordinate / halfBit, 4) == 0 ? 0 : halfBit;
 }
 
-/// A box around points.
-struct Bounds {
-  glm::dvec3 low{std::numeric_limits<double>::max()}, high{std::numeric_limits<double>::lowest()};
-
-  void add(const glm::dvec3& point) {
-    low = glm::min(low, point);
-    high = glm::max(high, point);
-  }
-  double extent() const { return glm::length(high - low); }
-};
+double extentOf(const Bounds& bounds) { return glm::length(bounds.high - bounds.low); }
 
 /// The bounds of the triangles that are accepted.
 template <typename Accepts>
@@ -52,8 +43,7 @@ Bounds boundsOf(const Scene& scene, const Accepts& accepts) {
   Bounds bounds;
   for (const Surface& surface : scene.surfaces)
     for (const Triangle& triangle : surface.triangles)
-      if (accepts(triangle))
-        for (const glm::dvec3& corner : triangle.position) bounds.add(corner);
+      if (accepts(triangle)) bounds.include(triangle);
   return bounds;
 }
 
@@ -80,21 +70,6 @@ Bounds boundsOfMost(const Scene& scene) {
     const glm::dvec3 middle = middleOf(triangle);
     return glm::all(glm::greaterThanEqual(middle, low)) && glm::all(glm::lessThanEqual(middle, high));
   });
-}
-
-/// The bounds of a scene without a few triangles far away from all others.
-Bounds boundsWithoutStrays(const Scene& scene) {
-  const Bounds all = boundsOf(scene, [](const Triangle&) { return true; }), middle = boundsOfMost(scene);
-  if (!(all.extent() > farAway * middle.extent())) return all;
-  const glm::dvec3 centre = 0.5 * (middle.low + middle.high);
-  double sum = 0, kept = 0;
-  const Bounds near = boundsOf(scene, [&](const Triangle& triangle) {
-    const bool isNear = glm::distance(middleOf(triangle), centre) <= 0.5 * farAway * middle.extent();
-    sum += area(triangle);
-    if (isNear) kept += area(triangle);
-    return isNear;
-  });
-  return all.extent() > farAway * near.extent() && kept >= (1 - largestShareLeftOut) * sum ? near : all;
 }
 
 /// The largest rounding of coordinates that counts, in sizes of a usual triangle: one that is rounded by more has no
@@ -191,6 +166,20 @@ glm::dvec2 placedWeights(const glm::dvec2& weights, const Instance& instance) {
 
 std::size_t placedTriangleCount(const Scene& scene) { return scene.instances.size() * triangleCount(scene); }
 
+Bounds boundsOf(const Scene& scene) {
+  const Bounds all = boundsOf(scene, [](const Triangle&) { return true; }), middle = boundsOfMost(scene);
+  if (!(extentOf(all) > farAway * extentOf(middle))) return all;
+  const glm::dvec3 centre = 0.5 * (middle.low + middle.high);
+  double sum = 0, kept = 0;
+  const Bounds near = boundsOf(scene, [&](const Triangle& triangle) {
+    const bool isNear = glm::distance(middleOf(triangle), centre) <= 0.5 * farAway * extentOf(middle);
+    sum += area(triangle);
+    if (isNear) kept += area(triangle);
+    return isNear;
+  });
+  return extentOf(all) > farAway * extentOf(near) && kept >= (1 - largestShareLeftOut) * sum ? near : all;
+}
+
 double coordinateRounding(const Scene& scene) {
   double rounding = 0;
   for (const Surface& surface : scene.surfaces)
@@ -209,14 +198,14 @@ double meanSize(const Scene& scene) {
 }
 
 void measureBounds(Scene& scene) {
-  Bounds bounds = boundsWithoutStrays(scene);
+  Bounds bounds = boundsOf(scene);
   const Bounds first = bounds;
   for (const Instance& instance : scene.instances) {
-    bounds.add(instance(first.low));
-    bounds.add(instance(first.high));
+    bounds.include(instance(first.low));
+    bounds.include(instance(first.high));
   }
   scene.origin = 0.5 * (bounds.low + bounds.high);
-  scene.extent = bounds.extent();
+  scene.extent = extentOf(bounds);
   scene.rounding = coordinateRounding(scene);
   if (scene.rounding > 0) scene.rounding = std::min(scene.rounding, largestRounding * meanSize(scene));
 }

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <glm/glm.hpp>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -176,9 +177,29 @@ double coordinateRounding(const Scene& scene);
 /// The root of the mean area of triangles. The scene must have one.
 double meanSize(const Scene& scene);
 
-/// Sets the origin, the extent and the rounding of a scene that has a surface, from all its instances. A few triangles
-/// far away, which would make the bounds 256 times as large, do not count, so that they do not make positions coarse.
-/// The rounding is at most 2^-13 of meanSize.
+/// A box around points.
+struct Bounds {
+  glm::dvec3 low{std::numeric_limits<double>::infinity()}, high{-std::numeric_limits<double>::infinity()};
+
+  void include(const glm::dvec3& point) {
+    low = glm::min(low, point);
+    high = glm::max(high, point);
+  }
+  void include(const Triangle& triangle) {
+    for (const glm::dvec3& corner : triangle.position) include(corner);
+  }
+  void include(const Bounds& other) {
+    low = glm::min(low, other.low);
+    high = glm::max(high, other.high);
+  }
+};
+
+/// The bounds of the surfaces of a scene, without images. A few triangles far away, which would make them 256 times as
+/// large, do not count.
+Bounds boundsOf(const Scene& scene);
+
+/// Sets the origin, the extent and the rounding of a scene that has a surface, from all its instances. Triangles
+/// outside boundsOf do not count, so that they do not make positions coarse. The rounding is at most 2^-13 of meanSize.
 void measureBounds(Scene& scene);
 
 /// One sentence for each surface outside the bounds, and one for the rest if there are many.
