@@ -271,3 +271,15 @@ TEST_CASE("defaultCamera sees a single object from outside, from above if that s
   for (int axis = 0; axis < 3; ++axis) CHECK((camera.eye[axis] > 1 || camera.eye[axis] < 0));
   CHECK(camera.eye.y > 1);
 }
+
+TEST_CASE("defaultCamera does not follow a triangle that is far from all others", "[camera]") {
+  Scene scene = loadScene(HEMITEX_DATA "/pyramid-room.obj");
+  const Camera camera = defaultCamera(scene);
+  Surface far = scene.surfaces.back();
+  far.triangles.resize(1);
+  for (glm::dvec3& corner : far.triangles[0].position) corner.x += 1e6;
+  scene.surfaces.push_back(far);
+  const Camera beside = defaultCamera(scene);
+  CHECK(glm::distance(beside.eye, camera.eye) < 1e-9);
+  CHECK(glm::distance(beside.lookAt, camera.lookAt) < 1e-9);
+}
