@@ -11,12 +11,18 @@
 
 namespace hemitex::raster {
 
+/// A texel of an index map without an item ID: its fragment is discarded before the depth test (version 2 of the rules).
+inline constexpr ItemId holeTexel = 0xFFFFFFFF;
+
 /// A texture of item IDs: row-major, row 0 at v = 0, column 0 at u = 0.
 struct IndexMap {
   int width = 0;
   int height = 0;
-  std::vector<ItemId> ids;  ///< width * height item IDs, at most 2^31
+  std::vector<ItemId> ids;  ///< width * height item IDs or holes, at most 2^31
 };
+
+/// Which triangles of a draw do not exist: none, those that face the eye, or those that face away (version 2).
+enum class Cull : std::uint8_t { None, Front, Back };
 
 /// A run of triangles that share an offset and an index map.
 struct Draw {
@@ -25,6 +31,7 @@ struct Draw {
   ItemId offset = 0;
   std::optional<ItemId> back;  ///< item ID of back-facing triangles, without texel; none: drawn as front-facing ones
   std::optional<int> indexMap = {};  ///< in DrawList::indexMaps; none: the offset alone
+  Cull cull = Cull::None;
 };
 
 /// Triangle t has the indices 3t, 3t + 1, 3t + 2. The draw order is the order of `draws`, then of indices within a
