@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "cli/common/options.h"
-#include "radiosity/scene/outside_light.h"
+#include "radiosity/scene/scene.h"
 #include "radiosity/scene/scene.h"
 #include "radiosity/scene/scene_settings.h"
 

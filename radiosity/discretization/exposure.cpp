@@ -9,7 +9,6 @@
 #include <memory>
 #include <numeric>
 #include <optional>
-#include <set>
 #include <span>
 #include <utility>
 
@@ -18,6 +17,7 @@
 #include "radiosity/discretization/patch_points.h"
 #include "radiosity/discretization/texel_areas.h"
 #include "radiosity/discretization/triangle_slices.h"
+#include "radiosity/scene/contacts.h"
 #include "radiosity/scene/ray_tree.h"
 #include "raster/base/parallel.h"
 
@@ -102,8 +102,15 @@ glm::dmat3 viewAxes(const Triangle& triangle) {
 class BuriedRegions {
  public:
   BuriedRegions(const Scene& scene, std::span<const GridSize> sizes, const SceneSlices& slices, const RayTree& rays)
-      : scene_(scene), sizes_(sizes), cut_(scene.surfaces.size()), regionOf_(scene.surfaces.size()), rays_(rays) {
+      : scene_(scene),
+        sizes_(sizes),
+        cut_(scene.surfaces.size()),
+        regionOf_(scene.surfaces.size()),
+        rays_(rays),
+        solids_(scene, rays),
+        isInside_(scene.surfaces.size()) {
     cutSurfaces(slices);
+    findInside();
     std::vector<std::optional<Seen>> seen(regions_.size());
     raster::parallelFor(regions_.size(), [&](std::size_t r) { seen[r] = seenFrom(regions_[r]); });
     for (std::size_t r = 0; r < regions_.size(); ++r) regions_[r].isBuried = seen[r].has_value();
@@ -111,7 +118,7 @@ class BuriedRegions {
   }
 
   Exposure exposureOf(std::uint32_t surface) const {
-    if (!cut_[surface]) return {};
+    if (!cut_[surface]) return {.isBuried = isInside_[surface] != 0};
     std::map<std::uint32_t, std::vector<Cutting>> exposedIn;
     bool hasExposed = false;
     const std::vector<Cutting>& cuttings = cut_[surface]->cuttings;
@@ -150,11 +157,29 @@ class BuriedRegions {
     }
   }
 
+  /// Finds the surfaces that no outline cuts and that lie inside a solid, by their first triangles.
+  void findInside() {
+    raster::parallelFor(scene_.surfaces.size(), [&](std::size_t s) {
+      const Surface& surface = scene_.surfaces[s];
+      if (cut_[s] || surface.twin) return;
+      const SurfacePoint middle = pointOn(surface, 0, glm::dvec2(1.0 / 3));
+      isInside_[s] = solids_.contain(eyeOver(scene_, static_cast<std::uint32_t>(s), middle)) ? 1 : 0;
+    });
+  }
+
   /// The sum of the views from some points of a region. Nothing if a point sees no back, or if the region emits and
-  /// sees any front; then the region is exposed.
+  /// sees any front; then the region is exposed. The view from inside a solid shows backs alone.
   std::optional<Seen> seenFrom(const Region& region) const {
+    const std::vector<std::uint32_t> points = somePoints(region);
+    const auto isInside = [&](std::uint32_t number) {
+      const Cutting& cutting = cut_[region.surface]->cuttings[number];
+      const SurfacePoint point = pointOn(scene_.surfaces[region.surface], cutting.triangle, cutting.centre);
+      return solids_.contain(eyeOver(scene_, region.surface, point));
+    };
+    if (2 * std::count_if(points.begin(), points.end(), isInside) > static_cast<std::ptrdiff_t>(points.size()))
+      return Seen{.backs = 1, .points = 1};
     Seen all;
-    for (const std::uint32_t number : somePoints(region)) {
+    for (const std::uint32_t number : points) {
       const Cutting& cutting = cut_[region.surface]->cuttings[number];
       const Seen seen = seenFrom(region.surface, cutting);
       if (seen.backs == 0) return std::nullopt;
@@ -168,17 +193,6 @@ class BuriedRegions {
     return all;
   }
 
-  /// Whether two surfaces have the same corners.
-  bool areSheet(std::uint32_t one, std::uint32_t other) const {
-    const auto cornersOf = [&](std::uint32_t surface) {
-      std::set<std::array<double, 3>> corners;
-      for (const Triangle& triangle : scene_.surfaces[surface].triangles)
-        for (const glm::dvec3& p : triangle.position) corners.insert({p.x, p.y, p.z});
-      return corners;
-    };
-    return cornersOf(one) == cornersOf(other);
-  }
-
   static bool seesFronts(const Seen& seen) { return seen.exposedFronts > 0 || !seen.regions.empty(); }
 
   /// The view from the middle of a cutting.
@@ -186,14 +200,11 @@ class BuriedRegions {
     const SurfacePoint point = pointOn(scene_.surfaces[surface], cutting.triangle, cutting.centre);
     const glm::dvec3 eye = eyeOver(scene_, surface, point);
     // A face that touches another sees the inside of the solid behind that face, or the outside of the scene.
-    bool isTouching = rays_.meetsBack(eye, -point.normal, 2 * contactTolerance(scene_), touchingCosine);
+    const bool isTouching = rays_.meetsBack(eye, -point.normal, 2 * contactTolerance(scene_), touchingCosine);
     const glm::dmat3 axes = viewAxes(scene_.surfaces[surface].triangles[cutting.triangle]);
     Seen seen = look(eye, axes, fewDirections_);
     if (seen.backs < 1 - rounding) seen = look(eye, axes, directions_);
     if (emits(surface) && !seesFronts(seen)) seen = look(eye, axes, manyDirections_);
-    // A light that sees nothing may also be a side of a sheet.
-    if (isTouching && emits(surface) && seen.backs == 0 && !seesFronts(seen))
-      isTouching = !areSheet(surface, rays_.firstHit(eye, -point.normal)->surface);
     if (isTouching) seen.backs += 1;
     return seen;
   }
@@ -223,9 +234,13 @@ class BuriedRegions {
     Seen seen;
     for (const LookDirection& look : directions) {
       const auto hit = rays_.firstHit(eye, axes * look.direction);
+      if (!hit && brightest(scene_.outside) > 0)
+        seen.exposedFronts += look.share;  // light from outside comes from there
       if (!hit) continue;
       if (!hit->isFront)
         seen.backs += look.share;
+      else if (isInside_[hit->surface] != 0)
+        continue;
       else if (!cut_[hit->surface])
         addExposed(hit->surface, look.share, seen);
       else
@@ -288,6 +303,8 @@ class BuriedRegions {
   std::vector<std::optional<CutSurface>> cut_;        ///< of surfaces with slices
   std::vector<std::vector<std::uint32_t>> regionOf_;  ///< of each cutting, by surface
   const RayTree& rays_;
+  Solids solids_;
+  std::vector<std::uint8_t> isInside_;  ///< of each surface that no outline cuts: whether it lies inside a solid
   std::vector<LookDirection> fewDirections_ = lookDirections(fewPixels), directions_ = lookDirections(pixels),
                              manyDirections_ = lookDirections(manyPixels);
   std::vector<Region> regions_;

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstddef>
 #include <span>
-#include <tuple>
 #include <utility>
 
 #include "radiosity/base/kahan_sum.h"
@@ -37,30 +36,25 @@ ParallelViews viewsFor(const Scene& scene, const Discretization& discretization,
   return {bounds, std::clamp(2 * static_cast<int>(across / 2 + 1), smallestViews, largestViews)};
 }
 
-bool hasTwin(const Surface& surface) { return surface.twin.has_value(); }
-
-bool hasTwins(const Scene& scene) { return std::any_of(scene.surfaces.begin(), scene.surfaces.end(), hasTwin); }
-
-/// Whether all surfaces have two sides, so that no back covers a face.
-bool isTwoSided(const Scene& scene) { return std::all_of(scene.surfaces.begin(), scene.surfaces.end(), hasTwin); }
-
-/// The corners of a triangle in an order that does not depend on the side.
-std::array<glm::dvec3, 3> sortedCorners(std::array<glm::dvec3, 3> corners) {
-  std::sort(corners.begin(), corners.end(),
-            [](const glm::dvec3& a, const glm::dvec3& b) { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z); });
-  return corners;
+bool hasBacked(const Scene& scene) {
+  return std::any_of(scene.surfaces.begin(), scene.surfaces.end(), [](const Surface& surface) {
+    return std::any_of(surface.triangles.begin(), surface.triangles.end(),
+                       [](const Triangle& triangle) { return triangle.isBacked; });
+  });
 }
 
-/// Whether the back of another face lies on the triangle, at its middle and near its corners. A sheet of two equal
-/// faces covers neither.
+/// Whether all surfaces have two sides, so that no back covers a face.
+bool isTwoSided(const Scene& scene) {
+  return std::all_of(scene.surfaces.begin(), scene.surfaces.end(), [](const Surface& surface) { return surface.twin; });
+}
+
+/// Whether the back of another face lies on the triangle, at its middle and near its corners.
 bool isCovered(const Scene& scene, const RayTree& rays, const Triangle& triangle) {
   const glm::dvec3 n = normal(triangle);
   const glm::dvec3 middle = (triangle.position[0] + triangle.position[1] + triangle.position[2]) / 3.0;
   const auto isCoveredAt = [&](const glm::dvec3& point) {
     const auto hit = rays.firstHit(point + contactTolerance(scene) * n, -n);
-    return hit && !hit->isFront && hit->distance <= 2 * contactTolerance(scene) &&
-           sortedCorners(placedCorners(scene, {hit->instance, hit->surface, hit->triangle})) !=
-               sortedCorners(triangle.position);
+    return hit && !hit->isFront && hit->distance <= 2 * contactTolerance(scene);
   };
   return isCoveredAt(middle) &&
          std::all_of(triangle.position.begin(), triangle.position.end(),
@@ -99,7 +93,7 @@ class PixelCounts {
 
   /// The pixels of all views together, one view per direction.
   FormFactorRow of(std::span<const glm::dvec3> directions) {
-    const std::size_t atOnce = hasTwins(scene_) ? 1 : viewsAtOnce();
+    const std::size_t atOnce = hasBacked_ ? 1 : viewsAtOnce();
     return sum_.rowOf(shares_, [&](const AddWindow& add) {
       for (std::size_t first = 0; first < directions.size(); first += atOnce)
         draw(directions, first, std::min(first + atOnce, directions.size()), add);
@@ -117,7 +111,7 @@ class PixelCounts {
     for (std::size_t i = first; i < end; ++i)
       faces.push_back(views_.face(scene_.origin, directions[i], static_cast<std::uint32_t>(i)));
     std::vector<std::uint32_t> skipped = covered_;
-    if (hasTwins(scene_)) {
+    if (hasBacked_) {
       const auto away = trianglesFacingAway(scene_, glm::dvec3(faces.front().eye) + scene_.origin, true);
       skipped.clear();
       std::set_union(covered_.begin(), covered_.end(), away.begin(), away.end(), std::back_inserter(skipped));
@@ -126,6 +120,7 @@ class PixelCounts {
   }
 
   const Scene& scene_;
+  const bool hasBacked_ = hasBacked(scene_);
   raster::ItemBufferRenderer& renderer_;
   ParallelViews views_;
   std::vector<std::uint32_t> covered_;

@@ -73,6 +73,8 @@ bool liesInPlane(const std::array<glm::dvec3, 3>& corners, const SurfacePoint& p
                      [&](const glm::dvec3& corner) { return std::abs(heightOf(corner, point)) <= tolerance; });
 }
 
+bool isBacked(const Triangle& triangle) { return triangle.isBacked; }
+
 bool facesAway(const std::array<glm::dvec3, 3>& corners, const glm::dvec3& eye) {
   return glm::dot(eye - corners[0], glm::cross(corners[1] - corners[0], corners[2] - corners[0])) < 0;
 }
@@ -82,12 +84,14 @@ bool facesAway(const std::array<glm::dvec3, 3>& corners, const glm::dvec3& eye) 
 TriangleBoxes triangleBoxes(const Scene& scene) {
   std::vector<TriangleRange> ranges;
   std::vector<SpaceBox> boxes;
-  std::vector<std::uint32_t> firstRange, twins;
+  std::vector<std::uint32_t> firstRange, backed;
   std::uint32_t number = 0;
   for (std::uint32_t i = 0; i < scene.instances.size(); ++i)
     for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s) {
-      const auto count = static_cast<std::uint32_t>(scene.surfaces[s].triangles.size());
-      if (scene.surfaces[s].twin) twins.push_back(static_cast<std::uint32_t>(firstRange.size()));
+      const std::vector<Triangle>& triangles = scene.surfaces[s].triangles;
+      const auto count = static_cast<std::uint32_t>(triangles.size());
+      if (std::any_of(triangles.begin(), triangles.end(), isBacked))
+        backed.push_back(static_cast<std::uint32_t>(firstRange.size()));
       firstRange.push_back(static_cast<std::uint32_t>(ranges.size()));
       for (std::uint32_t first = 0; first < count; first += maxTriangles) {
         ranges.push_back({i, s, first, std::min(first + maxTriangles, count), number + first});
@@ -97,34 +101,34 @@ TriangleBoxes triangleBoxes(const Scene& scene) {
     }
   firstRange.push_back(static_cast<std::uint32_t>(ranges.size()));
   NearestBoxes nearest(boxes);
-  return {std::move(ranges), std::move(boxes), std::move(firstRange), std::move(twins), std::move(nearest)};
+  return {std::move(ranges), std::move(boxes), std::move(firstRange), std::move(backed), std::move(nearest)};
 }
 
 std::vector<std::uint32_t> skippedTriangles(const Scene& scene, const TriangleBoxes& boxes, std::uint32_t surface,
                                             const SurfacePoint& point) {
   const double tolerance = tangentPlaneTolerance * scene.extent;
   std::vector<std::uint32_t> skipped;
-  const auto append = [&](std::uint32_t number) {
+  const auto append = [&](std::uint32_t number, bool hasBacked) {
     const Surface& seen = scene.surfaces[number % scene.surfaces.size()];
     const bool isOwn = number == surface || (number < scene.surfaces.size() && seen.twin == static_cast<int>(surface));
     for (std::uint32_t r = boxes.firstRange[number]; r < boxes.firstRange[number + 1]; ++r) {
       const auto [lowest, highest] = heightsOf(boxes.boxes[r], point);
       const bool mayLie = isOwn && lowest <= tolerance && highest >= -tolerance;
       const bool allLie = mayLie && lowest >= -tolerance && highest <= tolerance;
-      if (!mayLie && !seen.twin) continue;
+      if (!mayLie && !hasBacked) continue;
       const TriangleRange& range = boxes.ranges[r];
       for (std::uint32_t t = range.first; t < range.end; ++t) {
         const std::array<glm::dvec3, 3> corners = placedCorners(scene, {range.instance, range.surface, t});
         if (allLie || (mayLie && liesInPlane(corners, point, tolerance)) ||
-            (seen.twin && facesAway(corners, point.position)))
+            (seen.triangles[t].isBacked && facesAway(corners, point.position)))
           skipped.push_back(range.number + (t - range.first));
       }
     }
   };
-  // A surface with a twin is one of `twins`, and so is its twin.
-  if (!scene.surfaces[surface].twin) append(surface);
+  // A surface with a twin is one of `backed`, and so is its twin.
+  if (!std::binary_search(boxes.backed.begin(), boxes.backed.end(), surface)) append(surface, false);
   const auto ownEnd = static_cast<std::ptrdiff_t>(skipped.size());
-  for (const std::uint32_t twin : boxes.twins) append(twin);
+  for (const std::uint32_t backed : boxes.backed) append(backed, true);
   std::inplace_merge(skipped.begin(), skipped.begin() + ownEnd, skipped.end());
   return skipped;
 }
@@ -153,11 +157,12 @@ double turnOf(std::uint32_t patch, int point) {
   return turn * 0x1p-32;
 }
 
-std::vector<std::uint32_t> trianglesFacingAway(const Scene& scene, const glm::dvec3& eye, bool onlyTwins) {
+std::vector<std::uint32_t> trianglesFacingAway(const Scene& scene, const glm::dvec3& eye, bool onlyBacked) {
   std::vector<std::uint32_t> away;
   std::uint32_t number = 0;
   forEachPlace(scene, [&](const TrianglePlace& place) {
-    if ((scene.surfaces[place.surface].twin || !onlyTwins) && facesAway(placedCorners(scene, place), eye))
+    if ((scene.surfaces[place.surface].triangles[place.triangle].isBacked || !onlyBacked) &&
+        facesAway(placedCorners(scene, place), eye))
       away.push_back(number);
     ++number;
   });

@@ -20,12 +20,12 @@ struct TriangleRange {
 };
 
 /// All triangles in space in boxes, so that a view visits only those of its own surface, those near to its point, and
-/// surfaces with twins.
+/// surfaces with backed triangles.
 struct TriangleBoxes {
   std::vector<TriangleRange> ranges;      ///< in the order of the triangles
   std::vector<SpaceBox> boxes;            ///< one around each range
   std::vector<std::uint32_t> firstRange;  ///< of each surface, instance by instance; one more at the end
-  std::vector<std::uint32_t> twins;       ///< the surfaces with twins, instance by instance: places in firstRange
+  std::vector<std::uint32_t> backed;      ///< the surfaces with backed triangles: places in firstRange, ascending
   NearestBoxes nearest;                   ///< over the boxes
 };
 
@@ -37,15 +37,14 @@ inline constexpr double tangentPlaneTolerance = 0x1p-20;
 /// Minimum near distance in extents of the scene; binary32 positions have no detail below it.
 inline constexpr double smallestNearDistance = 0x1p-24;
 
-/// The triangles that a view from a point of a surface skips, ascending: those of the surface in the tangent plane and,
-/// in two-sided scenes, the coincident side that faces away from the point.
+/// The triangles that a view from a point of a surface skips, ascending: those of the surface and its twin in the tangent
+/// plane, and backed ones that face away from the point.
 /// `boxes` are triangleBoxes of the scene.
 std::vector<std::uint32_t> skippedTriangles(const Scene& scene, const TriangleBoxes& boxes, std::uint32_t surface,
                                             const SurfacePoint& point);
 
-/// The triangles whose backs face an eye, ascending: all, or only those of two-sided scenes, whose other sides are
-/// drawn instead.
-std::vector<std::uint32_t> trianglesFacingAway(const Scene& scene, const glm::dvec3& eye, bool onlyTwins = false);
+/// The triangles whose backs face an eye, ascending: all, or only those that are backed.
+std::vector<std::uint32_t> trianglesFacingAway(const Scene& scene, const glm::dvec3& eye, bool onlyBacked = false);
 
 /// A near distance that clips no visible triangle: the distance to the nearest triangle that is not skipped, divided by
 /// the projection's reach (see Projection::squaredReach). It is smallestNearDistance if a triangle touches the point,

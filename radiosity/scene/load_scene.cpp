@@ -20,6 +20,7 @@
 #include "radiosity/meshes/stl_file.h"
 #include "radiosity/meshes/vs3_file.h"
 #include "radiosity/meshes/vtk_xml_file.h"
+#include "radiosity/scene/contacts.h"
 #include "radiosity/scene/face_materials.h"
 #include "radiosity/scene/gltf_file.h"
 #include "radiosity/scene/materials.h"
@@ -185,12 +186,17 @@ void addSurfaces(Scene& scene, std::vector<Surface> parts, const std::string& fa
   }
 }
 
+void setBacked(Surface& surface) {
+  for (Triangle& triangle : surface.triangles) triangle.isBacked = true;
+}
+
 /// The other side of a surface.
 Surface backOf(const Surface& front) {
   Surface back = front;
   back.name += "/back";
   back.family += "/back";
   turnOver(back);
+  setBacked(back);
   return back;
 }
 
@@ -210,6 +216,7 @@ void addBacks(Scene& scene, const std::vector<std::uint32_t>& numbers) {
     }
     surfaces.back().object = known->second;
     surfaces[s].twin = back;
+    setBacked(surfaces[s]);
     surfaces.back().twin = static_cast<int>(s);
   }
 }
@@ -310,6 +317,7 @@ Scene makeScene(PolygonMesh mesh, const MaterialSource& materials, const std::fi
     addSurfaces(scene, layCharts(std::move(sections[s]), mesh, file, settings), family, choice.ofSection[s], object);
   }
   setSymmetry(scene, settings.symmetry);
+  resolveContacts(scene);
   if (settings.sides == Sides::Two) addBacks(scene, allSurfaces(scene));
   if (settings.sides == Sides::TwoOfSheets) addBacks(scene, sheetsLitFromBothSides(scene));
   makeNamesUnique(scene.surfaces);

@@ -90,7 +90,8 @@ RayTree::RayTree(const Scene& scene) : touching_(contactTolerance(scene)) {
   forEachPlace(scene, [&](const TrianglePlace& place) {
     const auto [a, b, c] = placedCorners(scene, place);
     leaves_.push_back({a, b - a, c - a, place, static_cast<std::uint32_t>(leaves_.size()),
-                       scene.surfaces[place.surface].twin.has_value(), scene.instances[place.instance].reflects()});
+                       scene.surfaces[place.surface].triangles[place.triangle].isBacked,
+                       scene.instances[place.instance].reflects()});
   });
   if (!leaves_.empty()) build(0, static_cast<std::uint32_t>(leaves_.size()), 0);
 }
@@ -187,7 +188,6 @@ void RayTree::trace(const glm::dvec3& origin, const glm::dvec3& direction, doubl
         if (!(u >= 0 && u <= 1)) return;
         const glm::dvec3 q = glm::cross(offset, leaf.along1);
         const double v = glm::dot(direction, q) / determinant, t = glm::dot(leaf.along2, q) / determinant;
-        if (leaf.hasTwin && determinant < 0) return;  // the twin shows its front there
         if (v >= 0 && u + v <= 1 && t > 0 && t < last)
           meet(TriangleHit{.surface = leaf.place.surface,
                            .triangle = leaf.place.triangle,
@@ -204,6 +204,7 @@ std::optional<TriangleHit> RayTree::firstHit(const glm::dvec3& origin, const glm
   double reach = 0;  // how far the ray goes beyond the front until the touching distance from its plane
   trace(origin, direction, std::numeric_limits<double>::infinity(),
         [&](const TriangleHit& hit, const Leaf& leaf, double& end) {
+          if (!hit.isFront && leaf.isBacked) return;
           std::optional<TriangleHit>& nearest = hit.isFront ? front : back;
           const auto order = [](const TriangleHit& of) {
             return std::tuple(of.distance, of.instance, of.surface, of.triangle);
@@ -219,6 +220,12 @@ std::optional<TriangleHit> RayTree::firstHit(const glm::dvec3& origin, const glm
           end = std::min(end, hit.distance + reach);
         });
   return back && (!front || back->distance <= front->distance + reach) ? back : front;
+}
+
+void RayTree::visitHits(const glm::dvec3& origin, const glm::dvec3& direction,
+                        const std::function<void(const TriangleHit&)>& visit) const {
+  trace(origin, direction, std::numeric_limits<double>::infinity(),
+        [&](const TriangleHit& hit, const Leaf&, double&) { visit(hit); });
 }
 
 void RayTree::appendNear(const glm::dvec3& low, const glm::dvec3& high, std::vector<std::uint32_t>& numbers,
@@ -245,7 +252,7 @@ bool RayTree::meetsBack(const glm::dvec3& origin, const glm::dvec3& direction, d
   bool isFound = false;
   trace(origin, direction, distance, [&](const TriangleHit& hit, const Leaf& leaf, double& end) {
     const glm::dvec3 normal = glm::normalize(glm::cross(leaf.along1, leaf.along2));
-    if (hit.isFront || glm::dot(normal, direction) < cosine * glm::length(direction)) return;
+    if (hit.isFront || leaf.isBacked || glm::dot(normal, direction) < cosine * glm::length(direction)) return;
     isFound = true;
     end = 0;
   });

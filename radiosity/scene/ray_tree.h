@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <glm/glm.hpp>
 #include <optional>
 #include <vector>
@@ -28,11 +29,14 @@ class RayTree {
   explicit RayTree(const Scene& scene);
 
   /// The first triangle that a ray meets. If faces are in contact (see contactTolerance), a hit of a back comes first.
-  /// The reason: the front of a face that touches another is invisible. Surfaces with twins have no backs.
+  /// The reason: the front of a face that touches another is invisible. Rays pass through backs that nobody sees.
   std::optional<TriangleHit> firstHit(const glm::dvec3& origin, const glm::dvec3& direction) const;
   /// Whether the ray meets the back of a triangle that faces along it, up to a distance in lengths of its direction.
   /// "Along" means that the cosine of the angle between the normal and the ray is at least `cosine`.
   bool meetsBack(const glm::dvec3& origin, const glm::dvec3& direction, double distance, double cosine) const;
+  /// Calls visit(hit) for all triangles that a ray meets, in any order, also for backs that nobody sees.
+  void visitHits(const glm::dvec3& origin, const glm::dvec3& direction,
+                 const std::function<void(const TriangleHit&)>& visit) const;
   /// Appends the numbers of the triangles whose boxes intersect the box [low, high], in any order, except those of one
   /// surface in the first instance.
   void appendNear(const glm::dvec3& low, const glm::dvec3& high, std::vector<std::uint32_t>& numbers,
@@ -45,7 +49,7 @@ class RayTree {
     glm::dvec3 corner, along1, along2;
     TrianglePlace place;
     std::uint32_t number;
-    bool hasTwin, isReflected;
+    bool isBacked, isReflected;
 
     /// The surface of a triangle of the first instance.
     std::uint32_t firstSurface() const { return place.instance == 0 ? place.surface : noSurface; }

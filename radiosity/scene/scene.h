@@ -18,10 +18,31 @@
 #include "radiosity/base/bands.h"
 #include "radiosity/images/image.h"
 #include "radiosity/meshes/scene_object.h"
-#include "radiosity/scene/outside_light.h"
 #include "radiosity/spectra/spectrum.h"
 
 namespace hemitex::radiosity {
+
+/// Parallel light.
+struct Sun {
+  glm::dvec3 towards{0.0};     ///< unit vector from the scene to the sun
+  glm::dvec3 irradiance{0.0};  ///< of a plane at right angles to the light, W/m^2 per band, >= 0
+};
+
+/// Light from outside a scene: a uniform sky on all sides, and suns.
+struct OutsideLight {
+  /// The irradiance of a plane that nothing hides, W/m^2 per band, >= 0. The sky surrounds the scene, also from below,
+  /// because no axis of a file is known to point up. Its radiance is this value over pi.
+  glm::dvec3 sky{0.0};
+  std::vector<Sun> suns = {};
+};
+
+/// The largest irradiance of the sky and the suns in any band.
+inline double brightest(const OutsideLight& light) {
+  const auto largest = [](const glm::dvec3& bands) { return glm::max(glm::max(bands.r, bands.g), bands.b); };
+  double result = largest(light.sky);
+  for (const Sun& sun : light.suns) result = glm::max(result, largest(sun.irradiance));
+  return result;
+}
 
 struct Material {
   std::string name;
@@ -41,6 +62,8 @@ struct Triangle {
   std::array<glm::dvec2, 3>
       texcoord;               ///< the file's coordinates for material maps, which repeat; without them the chart's
   std::uint32_t polygon = 0;  ///< the face of the file that contains the triangle, counted from 0 over the file
+  /// Whether another face lies on the back and shows its front there, so that nobody sees the back (see contacts.h).
+  bool isBacked = false;
 };
 
 struct Surface {

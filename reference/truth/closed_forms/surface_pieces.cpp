@@ -66,8 +66,8 @@ std::vector<SceneTriangle> sceneTriangles(const radiosity::Scene& scene) {
   std::vector<SceneTriangle> triangles;
   radiosity::forEachPlace(scene, [&](const radiosity::TrianglePlace& place) {
     const radiosity::Surface& surface = scene.surfaces[place.surface];
-    triangles.push_back(
-        {place, &surface.triangles[place.triangle], &scene.instances[place.instance], surface.twin.has_value()});
+    const radiosity::Triangle& triangle = surface.triangles[place.triangle];
+    triangles.push_back({place, &triangle, &scene.instances[place.instance], triangle.isBacked});
   });
   return triangles;
 }

@@ -23,7 +23,7 @@ struct SceneTriangle {
   radiosity::TrianglePlace place;
   const radiosity::Triangle* triangle;  ///< of the surface
   const radiosity::Instance* instance;
-  bool hasTwin;  ///< rays pass through its back
+  bool isBacked;  ///< rays pass through its back
 };
 /// All triangles in space, in the order of their numbers. The scene must outlive them.
 std::vector<SceneTriangle> sceneTriangles(const radiosity::Scene& scene);

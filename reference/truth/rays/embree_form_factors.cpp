@@ -115,7 +115,7 @@ void passBacksOfTwins(const RTCFilterFunctionNArguments* arguments) {
   const auto* triangles = static_cast<const SceneTriangle*>(arguments->geometryUserPtr);
   const unsigned count = arguments->N;
   for (unsigned i = 0; i < count; ++i) {
-    if (arguments->valid[i] == 0 || !triangles[RTCHitN_primID(arguments->hit, count, i)].hasTwin) continue;
+    if (arguments->valid[i] == 0 || !triangles[RTCHitN_primID(arguments->hit, count, i)].isBacked) continue;
     const float along = RTCRayN_dir_x(arguments->ray, count, i) * RTCHitN_Ng_x(arguments->hit, count, i) +
                         RTCRayN_dir_y(arguments->ray, count, i) * RTCHitN_Ng_y(arguments->hit, count, i) +
                         RTCRayN_dir_z(arguments->ray, count, i) * RTCHitN_Ng_z(arguments->hit, count, i);
@@ -137,7 +137,7 @@ EmbreeScene treeOver(const radiosity::Scene& scene, std::vector<SceneTriangle>& 
     }
     for (std::uint32_t i = 0; i < 3 * triangles.size(); ++i) index[i] = i;
     rtcSetGeometryUserData(geometry, triangles.data());
-    if (std::any_of(triangles.begin(), triangles.end(), [](const SceneTriangle& triangle) { return triangle.hasTwin; }))
+    if (std::any_of(triangles.begin(), triangles.end(), [](const SceneTriangle& triangle) { return triangle.isBacked; }))
       rtcSetGeometryIntersectFilterFunction(geometry, passBacksOfTwins);
     return geometry;
   });

@@ -134,7 +134,7 @@ MeasuredRow RayFormFactors::aimed(const RaySource& raySource, const Receivers& r
     double left = 1;
     for (const SurfacePiece* piece : asked) {
       const std::optional<SeenSide> side = seenSide(*piece, point);
-      if (!side || (!side->front && triangles_[piece->triangle].hasTwin)) continue;
+      if (!side || (!side->front && triangles_[piece->triangle].isBacked)) continue;
       const double whole = pointToPolygon(point.position, point.normal, side->polygon, closedFormError);
       if (whole == 0) continue;
       const double seen = whole - hiddenFactor(rays_, point, side->polygon, piece->triangle, sample[2], sample[3]);

@@ -33,7 +33,7 @@ std::optional<Meeting> meet(const Ray& ray, const Target& target, std::uint32_t 
   const double sum = (atA + atB) + atC;
   const bool front = sum < 0;
   const bool inside = front ? std::max({atA, atB, atC}) <= 0 : std::min({atA, atB, atC}) >= 0;
-  if (sum == 0 || !inside || (!front && target.hasTwin)) return std::nullopt;
+  if (sum == 0 || !inside || (!front && target.isBacked)) return std::nullopt;
   const glm::dvec3 normal = glm::cross(b - a, c - a);
   const double distance = std::nearbyint(glm::dot(a, normal) / glm::dot(ray.direction, normal) / rayEpsilon);
   if (!(distance > 0 && std::isfinite(distance))) return std::nullopt;
@@ -45,7 +45,7 @@ std::optional<Meeting> meet(const Ray& ray, const Target& target, std::uint32_t 
 std::vector<Target> targetsOf(const radiosity::Scene& scene) {
   std::vector<Target> targets;
   for (const SceneTriangle& triangle : sceneTriangles(scene))
-    targets.push_back({inFrame(scene, radiosity::placed(scene, triangle.place)), triangle.hasTwin});
+    targets.push_back({inFrame(scene, radiosity::placed(scene, triangle.place)), triangle.isBacked});
   return targets;
 }
 

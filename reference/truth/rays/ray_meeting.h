@@ -40,7 +40,7 @@ struct RayHit {
 /// A triangle that rays may meet.
 struct Target {
   std::array<glm::dvec3, 3> corner;  ///< in the frame of the scene
-  bool hasTwin = false;              ///< rays pass through its back
+  bool isBacked = false;              ///< rays pass through its back
 };
 
 /// The triangles in space, in the order of their numbers.

@@ -1,0 +1,182 @@
+#include "radiosity/geometry/contact_parts.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+#include "raster/base/cross.h"
+
+namespace hemitex::radiosity {
+namespace {
+
+using raster::cross;
+using Polygon = std::vector<glm::dvec2>;  ///< convex, counter-clockwise, in weights
+
+/// Faces are parallel if the cosine of the angle between them is at least this.
+constexpr double minCosine = 0.999;
+/// Cuts take time in the square of the number of others.
+constexpr std::size_t mostOthers = 1000;
+
+glm::dvec3 unitNormal(const TrianglePositions& triangle) {
+  return glm::normalize(glm::cross(triangle[1] - triangle[0], triangle[2] - triangle[0]));
+}
+
+/// The plane of a triangle: weights, and places in units of length.
+class Plane {
+ public:
+  explicit Plane(const TrianglePositions& triangle) : corner_(triangle[0]), normal_(unitNormal(triangle)) {
+    const glm::dvec3 along1 = triangle[1] - triangle[0], along2 = triangle[2] - triangle[0];
+    x_ = glm::normalize(along1);
+    y_ = glm::cross(normal_, x_);
+    toPlane_ = {{glm::dot(along1, x_), 0}, {glm::dot(along2, x_), glm::dot(along2, y_)}};
+  }
+
+  const glm::dvec3& normal() const { return normal_; }
+  glm::dvec2 place(const glm::dvec2& weights) const { return toPlane_ * weights; }
+  glm::dvec2 weightsOf(const glm::dvec3& position) const {
+    const glm::dvec3 offset = position - corner_;
+    const double second = glm::dot(offset, y_) / toPlane_[1].y;
+    return {(glm::dot(offset, x_) - second * toPlane_[1].x) / toPlane_[0].x, second};
+  }
+  double heightOf(const glm::dvec3& position) const { return glm::dot(position - corner_, normal_); }
+
+ private:
+  glm::dvec3 corner_, normal_, x_, y_;
+  glm::dmat2 toPlane_;
+};
+
+/// The parts of a polygon on the left and on the right of a line from a to b. Corners within the tolerance lie on it.
+std::pair<Polygon, Polygon> split(const Polygon& polygon, const Plane& plane, const glm::dvec2& a, const glm::dvec2& b,
+                                  double tolerance) {
+  const glm::dvec2 start = plane.place(a), along = glm::normalize(plane.place(b) - start);
+  std::vector<double> distances;
+  for (const glm::dvec2& corner : polygon) {
+    const double distance = cross(along, plane.place(corner) - start);
+    distances.push_back(std::abs(distance) <= tolerance ? 0 : distance);
+  }
+  const auto [lowest, highest] = std::minmax_element(distances.begin(), distances.end());
+  if (*lowest >= 0) return {polygon, {}};
+  if (*highest <= 0) return {{}, polygon};
+  std::pair<Polygon, Polygon> parts;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const std::size_t next = (i + 1) % polygon.size();
+    if (distances[i] >= 0) parts.first.push_back(polygon[i]);
+    if (distances[i] <= 0) parts.second.push_back(polygon[i]);
+    if (distances[i] * distances[next] >= 0) continue;
+    const double share = distances[i] / (distances[i] - distances[next]);
+    const glm::dvec2 crossing = polygon[i] + share * (polygon[next] - polygon[i]);
+    parts.first.push_back(crossing);
+    parts.second.push_back(crossing);
+  }
+  return parts;
+}
+
+/// A triangle in the place of another one.
+struct Other {
+  std::uint32_t number;
+  std::array<glm::dvec2, 3> corners;  ///< counter-clockwise as the first triangle is, in its weights
+  bool isOpposite;
+};
+
+/// The part of a polygon inside another triangle; without corners if there is none. Calls outside(part) for the rest.
+template <typename Visit>
+Polygon inside(Polygon polygon, const Plane& plane, const Other& other, double tolerance, const Visit& outside) {
+  for (std::size_t k = 0; k < 3 && !polygon.empty(); ++k) {
+    auto [left, right] = split(polygon, plane, other.corners[k], other.corners[(k + 1) % 3], tolerance);
+    if (!right.empty()) outside(std::move(right));
+    polygon = std::move(left);
+  }
+  return polygon;
+}
+
+Other otherOf(const TrianglePositions& triangle, std::uint32_t number, const Plane& plane) {
+  Other other{number,
+              {plane.weightsOf(triangle[0]), plane.weightsOf(triangle[1]), plane.weightsOf(triangle[2])},
+              glm::dot(unitNormal(triangle), plane.normal()) < 0};
+  if (other.isOpposite) std::swap(other.corners[1], other.corners[2]);
+  return other;
+}
+
+const Polygon wholeTriangle{{0, 0}, {1, 0}, {0, 1}};
+
+/// Whether two triangles have a place in common. `plane` is that of the first one.
+bool areInOnePlace(const TrianglePositions& triangle, const TrianglePositions& other, const Plane& plane,
+                   double tolerance) {
+  std::array<double, 3> heights;
+  for (std::size_t k = 0; k < 3; ++k) heights[k] = plane.heightOf(other[k]);
+  const auto [lowest, highest] = std::minmax({heights[0], heights[1], heights[2]});
+  if (lowest > tolerance || highest < -tolerance) return false;
+  const glm::dvec3 normal = unitNormal(other);
+  if (std::abs(glm::dot(normal, plane.normal())) < minCosine) return false;
+  const Polygon common = inside(wholeTriangle, plane, otherOf(other, 0, plane), 4 * tolerance, [](const Polygon&) {});
+  return !common.empty() && std::all_of(common.begin(), common.end(), [&](const glm::dvec2& weights) {
+    const auto& [a, b, c] = triangle;
+    return std::abs(glm::dot(a + weights.x * (b - a) + weights.y * (c - a) - other[0], normal)) <= tolerance;
+  });
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> inOnePlace(std::span<const TrianglePositions> triangles, std::uint32_t number,
+                                      std::span<const std::uint32_t> near, double tolerance) {
+  const Plane plane(triangles[number]);
+  std::vector<std::uint32_t> others;
+  std::copy_if(near.begin(), near.end(), std::back_inserter(others), [&](std::uint32_t other) {
+    return areInOnePlace(triangles[number], triangles[other], plane, tolerance);
+  });
+  return others;
+}
+
+std::vector<ContactPart> contactParts(std::span<const TrianglePositions> triangles, const Shells& shells,
+                                      std::uint32_t number, std::span<const std::uint32_t> inPlace, double tolerance) {
+  const Plane plane(triangles[number]);
+  const auto isSolid = [&](std::uint32_t n) { return shells.kindOf(n) == ShellKind::Solid; };
+  std::vector<Other> others;
+  for (const std::uint32_t n : inPlace) others.push_back(otherOf(triangles[n], n, plane));
+  // Solids back nothing.
+  std::erase_if(others, [&](const Other& other) { return other.isOpposite && isSolid(other.number); });
+  const bool mayBeCovered =
+      std::any_of(others.begin(), others.end(), [](const Other& other) { return !other.isOpposite; });
+  if (others.size() > mostOthers || (isSolid(number) && !mayBeCovered)) others.clear();
+
+  struct Part {
+    Polygon polygon;
+    bool isBacked = false;
+    std::vector<std::uint32_t> sameWay = {};
+  };
+  std::vector<Part> parts{{wholeTriangle}};
+  for (const Other& other : others) {
+    std::vector<Part> cut;
+    for (Part& part : parts) {
+      Part within{inside(part.polygon, plane, other, 4 * tolerance,
+                         [&](Polygon polygon) { cut.push_back({std::move(polygon), part.isBacked, part.sameWay}); }),
+                  part.isBacked || other.isOpposite, part.sameWay};
+      if (within.polygon.empty()) continue;
+      if (!other.isOpposite) within.sameWay.push_back(other.number);
+      cut.push_back(std::move(within));
+    }
+    parts = std::move(cut);
+  }
+
+  // The front of a solid comes before all others if it stands on something: the last one covers.
+  const auto rank = [&](std::uint32_t n, bool isBacked) { return std::pair(!(isBacked && isSolid(n)), n); };
+  std::vector<ContactPart> result;
+  for (Part& part : parts) {
+    Contact contact{.isBacked = part.isBacked && !isSolid(number)};
+    std::uint32_t last = number;
+    for (const std::uint32_t n : part.sameWay)
+      if (rank(n, part.isBacked) > rank(last, part.isBacked)) last = n;
+    if (last != number) contact.coveredBy = last;
+    result.push_back({std::move(part.polygon), contact});
+  }
+  const bool isOne = std::all_of(result.begin(), result.end(), [&](const ContactPart& part) {
+    return part.contact.isBacked == result.front().contact.isBacked &&
+           part.contact.coveredBy.has_value() == result.front().contact.coveredBy.has_value();
+  });
+  if (isOne) return {{wholeTriangle, result.front().contact}};
+  return result;
+}
+
+}  // namespace hemitex::radiosity

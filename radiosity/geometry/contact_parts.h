@@ -1,0 +1,46 @@
+/// Contact: the parts of a triangle that lie in one place with other triangles, back to back or facing the same way.
+///
+/// A part has one answer to two questions. Is its back *backed* by a face that looks the other way? Then nobody sees
+/// that back: who looks sees the other face. Is the part *covered* by a face that looks the same way? Then nobody sees
+/// its front, either. Of faces that look the same way the last one covers the others.
+///
+/// Fronts of solids against sheets and walls of rooms are neither: a solid stands on those, and what is inside of it is
+/// found elsewhere (discretization/exposure.h). Such a front also covers nothing, because what it stands on is between.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "radiosity/geometry/shells.h"
+
+namespace hemitex::radiosity {
+
+struct Contact {
+  bool isBacked = false;
+  std::optional<std::uint32_t> coveredBy = {};  ///< the number of a triangle
+
+  bool operator==(const Contact&) const = default;
+};
+
+/// A convex part of a triangle; its corners are barycentric weights of the triangle's corners 1 and 2,
+/// counter-clockwise.
+struct ContactPart {
+  std::vector<glm::dvec2> corners;
+  Contact contact;
+};
+
+/// Those of the triangles `near` that have a place in common with triangle `number`, in their order. Faces are in one
+/// place if they are parallel and at most `tolerance` apart; corners within four times that distance of an edge lie on
+/// it.
+std::vector<std::uint32_t> inOnePlace(std::span<const TrianglePositions> triangles, std::uint32_t number,
+                                      std::span<const std::uint32_t> near, double tolerance);
+
+/// The parts of triangle `number`, which fill it; one if all of it is in the same contact. `others` are inOnePlace,
+/// ascending. A triangle with more than 1,000 others that matter is one part without contact.
+std::vector<ContactPart> contactParts(std::span<const TrianglePositions> triangles, const Shells& shells,
+                                      std::uint32_t number, std::span<const std::uint32_t> others, double tolerance);
+
+}  // namespace hemitex::radiosity
