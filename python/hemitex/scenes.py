@@ -177,6 +177,7 @@ def load_scene(file: str | os.PathLike[str],
                max_reflectance: float = 0.9999,
                crease: float | None = None,
                facets: bool = False,
+               flip: Sequence[str] = (),
                sky: Vector = 0.0,
                suns: Sequence[tuple[Vector, Vector]] = (),
                mirrors: Sequence[tuple[Literal["x", "y", "z"], float]] = (),
@@ -185,7 +186,7 @@ def load_scene(file: str | os.PathLike[str],
     """Reads OBJ with MTL, glTF, STL, PLY, VTK or View3D files, as `hemitex solve` does.
 
     emission: the unit of `Ke`. crease: the angle in degrees at which curved parts end. facets: each face of the file is
-    a surface of one element, named by its number. For the others see `Scene.from_arrays`.
+    a surface of one element, named by its number. flip: names of surfaces or groups that are turned over. For the others see `Scene.from_arrays`.
     """
     settings = {
         "charts": charts,
@@ -194,6 +195,7 @@ def load_scene(file: str | os.PathLike[str],
         "max_reflectance": max_reflectance,
         "crease": crease,
         "facets": facets,
+        "flip": list(flip),
         "mirrors": list(mirrors),
         "period": period,
         "repeats": repeats,

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
 #include <utility>
 
 #include "raster/base/cross.h"
@@ -119,22 +118,14 @@ bool areInOnePlace(const TrianglePositions& triangle, const TrianglePositions& o
 
 }  // namespace
 
-std::vector<std::uint32_t> inOnePlace(std::span<const TrianglePositions> triangles, std::uint32_t number,
-                                      std::span<const std::uint32_t> near, double tolerance) {
-  const Plane plane(triangles[number]);
-  std::vector<std::uint32_t> others;
-  std::copy_if(near.begin(), near.end(), std::back_inserter(others), [&](std::uint32_t other) {
-    return areInOnePlace(triangles[number], triangles[other], plane, tolerance);
-  });
-  return others;
-}
-
 std::vector<ContactPart> contactParts(std::span<const TrianglePositions> triangles, const Shells& shells,
-                                      std::uint32_t number, std::span<const std::uint32_t> inPlace, double tolerance) {
+                                      std::uint32_t number, std::span<const std::uint32_t> near, double tolerance) {
   const Plane plane(triangles[number]);
   const auto isSolid = [&](std::uint32_t n) { return shells.kindOf(n) == ShellKind::Solid; };
   std::vector<Other> others;
-  for (const std::uint32_t n : inPlace) others.push_back(otherOf(triangles[n], n, plane));
+  for (const std::uint32_t n : near)
+    if (areInOnePlace(triangles[number], triangles[n], plane, tolerance))
+      others.push_back(otherOf(triangles[n], n, plane));
   // Solids back nothing.
   std::erase_if(others, [&](const Other& other) { return other.isOpposite && isSolid(other.number); });
   const bool mayBeCovered =

@@ -32,15 +32,11 @@ struct ContactPart {
   Contact contact;
 };
 
-/// Those of the triangles `near` that have a place in common with triangle `number`, in their order. Faces are in one
-/// place if they are parallel and at most `tolerance` apart; corners within four times that distance of an edge lie on
-/// it.
-std::vector<std::uint32_t> inOnePlace(std::span<const TrianglePositions> triangles, std::uint32_t number,
-                                      std::span<const std::uint32_t> near, double tolerance);
-
-/// The parts of triangle `number`, which fill it; one if all of it is in the same contact. `others` are inOnePlace,
-/// ascending. A triangle with more than 1,000 others that matter is one part without contact.
+/// The parts of triangle `number`, which fill it; one if all of it is in the same contact. `near` has the numbers of
+/// triangles around it, ascending. Faces are in one place if they are parallel and at most `tolerance` apart; corners
+/// within four times that distance of an edge lie on it. A triangle with more than 1,000 others that matter is one part
+/// without contact.
 std::vector<ContactPart> contactParts(std::span<const TrianglePositions> triangles, const Shells& shells,
-                                      std::uint32_t number, std::span<const std::uint32_t> others, double tolerance);
+                                      std::uint32_t number, std::span<const std::uint32_t> near, double tolerance);
 
 }  // namespace hemitex::radiosity

@@ -1,10 +1,12 @@
 #include "radiosity/geometry/shells.h"
 
 #include <algorithm>
+#include <array>
 #include <boost/pending/disjoint_sets.hpp>
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <tuple>
 #include <utility>
 
 #include "radiosity/geometry/tangent_along.h"
@@ -26,10 +28,11 @@ struct EdgeSide {
   bool isAlong;  ///< as the first half-edge of the edge; then the front looks towards larger places
 };
 
-/// From 0 to 4 with the angle, without trigonometry.
+/// From 0 to 4 with the angle, without trigonometry; rounded, so that triangles in one place have the same.
 double placeOnSquare(double x, double y) {
   const double share = x / (std::abs(x) + std::abs(y));
-  return y >= 0 ? 1 - share : 3 + share;
+  const double place = std::round((y >= 0 ? 1 - share : 3 + share) * 0x1p20) * 0x1p-20;
+  return place == 4 ? 0 : place;
 }
 
 std::vector<EdgeSide> sidesAround(std::span<const TrianglePositions> triangles, const MeshEdges& edges,
@@ -44,13 +47,14 @@ std::vector<EdgeSide> sidesAround(std::span<const TrianglePositions> triangles, 
     sides.push_back({placeOnSquare(glm::dot(out, x), glm::dot(out, y)), h, edges.vertex[h] == edges.vertex[first]});
   }
   std::sort(sides.begin(), sides.end(), [](const EdgeSide& a, const EdgeSide& b) {
-    return std::pair(a.place, a.halfEdge) < std::pair(b.place, b.halfEdge);
+    return std::tuple(a.place, !a.isAlong, a.halfEdge) < std::tuple(b.place, !b.isAlong, b.halfEdge);
   });
   return sides;
 }
 
 /// Calls match(a, b) for the half-edges whose triangles bound a wedge behind their fronts. Wedges lie in each other as
-/// brackets do; the second turn closes those that the first one leaves open.
+/// brackets do; the second turn closes those that the first one leaves open. Wedges without an inside come last, because
+/// the triangles in one place are sorted so that none closes what another one of them opens.
 template <typename Match>
 void matchBacks(const std::vector<EdgeSide>& sides, const Match& match) {
   std::vector<std::uint32_t> open;
@@ -92,37 +96,71 @@ double spheres(const TrianglePositions& triangle, const glm::dvec3& eye) {
   return std::atan2(glm::dot(a, glm::cross(b, c)), below) / (2 * std::numbers::pi);
 }
 
-/// The triangles of a shell.
+/// For each triangle, whether it looks the other way than most of the area that edges connect it to.
+std::vector<bool> turnedOver(std::span<const TrianglePositions> triangles, const MeshEdges& edges,
+                             const std::vector<std::uint32_t>& across) {
+  std::vector<bool> isReached(triangles.size(), false), isTurned(triangles.size(), false);
+  for (std::uint32_t seed = 0; seed < triangles.size(); ++seed) {
+    if (isReached[seed]) continue;
+    std::vector<std::uint32_t> found{seed};
+    std::array<double, 2> area{0, 0};
+    isReached[seed] = true;
+    for (std::size_t next = 0; next < found.size(); ++next) {
+      const std::uint32_t t = found[next];
+      const auto& [a, b, c] = triangles[t];
+      area[isTurned[t] ? 1 : 0] += glm::length(glm::cross(b - a, c - a));
+      for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) {
+        if (across[h] == none || isReached[across[h] / 3]) continue;
+        isReached[across[h] / 3] = true;
+        isTurned[across[h] / 3] = isTurned[t] != (edges.vertex[across[h]] == edges.vertex[h]);
+        found.push_back(across[h] / 3);
+      }
+    }
+    if (area[1] > area[0])
+      for (const std::uint32_t t : found) isTurned[t] = !isTurned[t];
+  }
+  return isTurned;
+}
+
+/// The triangles of a shell, and where it ends.
 struct Part {
-  std::vector<std::uint32_t> triangles;
-  bool hasBorder = false;
+  std::vector<std::uint32_t> triangles = {};
+  glm::dvec3 low, high;     ///< the box around it
+  glm::dvec3 borders{0.0};  ///< the sum of the middles of borders, times their lengths
+  double borderLength = 0;
+
+  glm::dvec3 middle() const { return (low + high) / 2.0; }
+  double size() const { return glm::length(high - low); }
 };
 
-ShellKind kindOf(std::span<const TrianglePositions> triangles, const Part& part) {
-  glm::dvec3 low = triangles[part.triangles.front()][0], high = low;
-  for (const std::uint32_t t : part.triangles)
-    for (const glm::dvec3& corner : triangles[t]) {
-      low = glm::min(low, corner);
-      high = glm::max(high, corner);
-    }
-  const glm::dvec3 middle = (low + high) / 2.0, size = high - low;
-  const auto winding = [&](const glm::dvec3& eye) {
-    double sum = 0;
-    for (const std::uint32_t t : part.triangles) sum += spheres(triangles[t], eye);
-    return sum;
-  };
+/// The sum of a value of all triangles; of one that is turned over it counts with the other sign.
+template <typename Value>
+double sumOf(const Part& part, const std::vector<bool>& isTurnedOver, const Value& value) {
+  double sum = 0;
+  for (const std::uint32_t t : part.triangles) sum += (isTurnedOver[t] ? -1 : 1) * value(t);
+  return sum;
+}
+
+bool isClosed(std::span<const TrianglePositions> triangles, const std::vector<bool>& isTurnedOver, const Part& part) {
+  if (part.borderLength == 0) return true;
   // So the last digits of the arc tangents do not matter.
-  if (part.hasBorder)
-    for (const glm::dvec3& place : {glm::dvec3(0.73, 0.61, 0.57), glm::dvec3(-0.59, 0.67, -0.71)})
-      if (const double w = winding(middle + place * glm::length(size)); std::abs(w - std::round(w)) > rounding)
-        return ShellKind::Sheet;
-  double volume = 0;
-  for (const std::uint32_t t : part.triangles) {
+  const std::array places{glm::dvec3(0.73, 0.61, 0.57), glm::dvec3(-0.59, 0.67, -0.71)};
+  return std::all_of(places.begin(), places.end(), [&](const glm::dvec3& place) {
+    const glm::dvec3 eye = part.middle() + part.size() * place;
+    const double winding =
+        sumOf(part, isTurnedOver, [&](std::uint32_t t) { return spheres(triangles[t], eye); });
+    return std::abs(winding - std::round(winding)) <= rounding;
+  });
+}
+
+ShellKind kindOf(std::span<const TrianglePositions> triangles, const std::vector<bool>& isTurnedOver,
+                 const Part& part) {
+  const glm::dvec3 apex = part.borderLength > 0 ? part.borders / part.borderLength : part.middle();
+  const double volume = sumOf(part, isTurnedOver, [&](std::uint32_t t) {
     const auto& [a, b, c] = triangles[t];
-    volume += glm::dot(a - middle, glm::cross(b - middle, c - middle)) / 6;
-  }
-  const double length = glm::length(size);
-  if (std::abs(volume) <= smallestVolume * length * length * length) return ShellKind::Sheet;
+    return glm::dot(a - apex, glm::cross(b - apex, c - apex)) / 6;
+  });
+  if (std::abs(volume) <= smallestVolume * part.size() * part.size() * part.size()) return ShellKind::Sheet;
   return volume > 0 ? ShellKind::Solid : ShellKind::Room;
 }
 
@@ -134,12 +172,6 @@ Shells findShells(std::span<const TrianglePositions> triangles) {
   boost::disjoint_sets_with_storage<> sets(triangles.size());
   for (std::uint32_t h = 0; h < across.size(); ++h)
     if (across[h] != none) sets.union_set(h / 3, across[h] / 3);
-  // A neighbour that is turned over is across a border, too.
-  std::vector<bool> hasBorder(triangles.size(), false);  // of each set, at its representative
-  for (std::uint32_t h = 0; h < across.size(); ++h)
-    if (across[h] == none || edges.vertex[across[h]] == edges.vertex[h]) hasBorder[sets.find_set(h / 3)] = true;
-  std::vector<bool> isOpen(triangles.size());
-  for (std::uint32_t t = 0; t < triangles.size(); ++t) isOpen[t] = hasBorder[sets.find_set(t)];
   std::map<std::uint32_t, std::uint32_t> atVertex;  // a triangle with a border there
   for (std::uint32_t h = 0; h < across.size(); ++h) {
     if (across[h] != none) continue;
@@ -147,16 +179,28 @@ Shells findShells(std::span<const TrianglePositions> triangles) {
       sets.union_set(atVertex.try_emplace(vertex, h / 3).first->second, h / 3);
   }
   Shells shells;
+  shells.isTurnedOver = turnedOver(triangles, edges, across);
   std::vector<Part> parts;
   std::map<std::size_t, std::uint32_t> numbers;
   for (std::uint32_t t = 0; t < triangles.size(); ++t) {
     const auto [known, isNew] = numbers.try_emplace(sets.find_set(t), static_cast<std::uint32_t>(parts.size()));
-    if (isNew) parts.emplace_back();
+    if (isNew) parts.push_back({.low = triangles[t][0], .high = triangles[t][0]});
     shells.ofTriangle.push_back(known->second);
-    parts[known->second].triangles.push_back(t);
-    parts[known->second].hasBorder |= isOpen[t];
+    Part& part = parts[known->second];
+    part.triangles.push_back(t);
+    for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) {
+      const glm::dvec3 &start = triangles[t][h % 3], &end = triangles[t][nextCorner(h) % 3];
+      part.low = glm::min(part.low, start);
+      part.high = glm::max(part.high, start);
+      if (across[h] != none) continue;
+      part.borders += glm::length(end - start) * (start + end) / 2.0;
+      part.borderLength += glm::length(end - start);
+    }
   }
-  for (const Part& part : parts) shells.kinds.push_back(kindOf(triangles, part));
+  for (const Part& part : parts) {
+    shells.kinds.push_back(kindOf(triangles, shells.isTurnedOver, part));
+    shells.isClosed.push_back(isClosed(triangles, shells.isTurnedOver, part));
+  }
   return shells;
 }
 

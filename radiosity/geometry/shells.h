@@ -4,6 +4,9 @@
 /// that bound one wedge behind their fronts, so that solids that touch at an edge stay apart. Parts with borders that
 /// share a corner belong together: a box of which one side is divided more finely has such borders.
 ///
+/// Where two neighbours look different ways, the smaller part of the shell counts as turned over, and the shell is what
+/// it would be without this mistake.
+///
 /// A shell is closed if the solid angle that it fills, as seen from points off its faces, is a whole number of spheres
 /// (the winding number; Jacobson, Kavan and Sorkine-Hornung 2013, eq. 5).
 #pragma once
@@ -16,15 +19,18 @@
 
 namespace hemitex::radiosity {
 
+/// What a shell is; an open one when its border is closed towards the middle of the border.
 enum class ShellKind {
-  Sheet,  ///< open, or without volume
-  Solid,  ///< closed, with fronts outside
-  Room    ///< closed, with fronts inside
+  Sheet,  ///< without volume
+  Solid,  ///< with fronts outside
+  Room    ///< with fronts inside
 };
 
 struct Shells {
   std::vector<std::uint32_t> ofTriangle;
-  std::vector<ShellKind> kinds;  ///< of each shell
+  std::vector<bool> isTurnedOver;  ///< of each triangle
+  std::vector<ShellKind> kinds;    ///< of each shell
+  std::vector<bool> isClosed;      ///< of each shell
 
   ShellKind kindOf(std::uint32_t triangle) const { return kinds[ofTriangle[triangle]]; }
 };

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -35,26 +37,19 @@ struct NumberedTriangles {
   }
 };
 
-/// The parts of each triangle; none for those without contact.
-std::vector<std::vector<ContactPart>> partsInContact(const Scene& scene, const NumberedTriangles& triangles) {
-  const RayTree tree(scene);
+/// The parts of each triangle; one for those without contact.
+std::vector<std::vector<ContactPart>> partsInContact(const Scene& scene, const NumberedTriangles& triangles,
+                                                     const Shells& shells, const RayTree& tree) {
   const double tolerance = contactTolerance(scene);
   const std::size_t count = triangles.positions.size();
-  std::vector<std::vector<std::uint32_t>> others(count);
+  std::vector<std::vector<ContactPart>> parts(count);
   raster::parallelFor(count, [&](std::size_t t) {
     const auto& [a, b, c] = triangles.positions[t];
     std::vector<std::uint32_t> near;
     tree.appendNear(glm::min(glm::min(a, b), c) - tolerance, glm::max(glm::max(a, b), c) + tolerance, near);
     std::erase_if(near, [&](std::uint32_t other) { return other >= count || other == t; });
     std::sort(near.begin(), near.end());
-    others[t] = inOnePlace(triangles.positions, static_cast<std::uint32_t>(t), near, tolerance);
-  });
-  std::vector<std::vector<ContactPart>> parts(count);
-  if (std::all_of(others.begin(), others.end(), [](const auto& some) { return some.empty(); })) return parts;
-  const Shells shells = findShells(triangles.positions);
-  raster::parallelFor(count, [&](std::size_t t) {
-    if (!others[t].empty())
-      parts[t] = contactParts(triangles.positions, shells, static_cast<std::uint32_t>(t), others[t], tolerance);
+    parts[t] = contactParts(triangles.positions, shells, static_cast<std::uint32_t>(t), near, tolerance);
   });
   return parts;
 }
@@ -81,11 +76,12 @@ bool keepsArea(const Triangle& triangle) {
          hasArea(inSpace(triangle.chart[0]), inSpace(triangle.chart[1]), inSpace(triangle.chart[2]));
 }
 
-/// Appends what is left of a triangle.
-void appendParts(const Triangle& whole, const std::vector<ContactPart>& parts, std::vector<Triangle>& triangles) {
-  if (parts.empty()) triangles.push_back(whole);
+/// Appends what is left of a triangle, and the covered parts of solids.
+void appendParts(const Triangle& whole, const std::vector<ContactPart>& parts, std::vector<Triangle>& left,
+                 std::vector<Triangle>& covered) {
   for (const ContactPart& part : parts) {
-    if (part.contact.coveredBy) continue;
+    if (part.contact.coveredBy && whole.solid == 0) continue;
+    std::vector<Triangle>& triangles = part.contact.coveredBy ? covered : left;
     for (std::size_t k = 2; k < part.corners.size(); ++k) {
       Triangle triangle = parts.size() == 1 ? whole : partOf(whole, {part.corners[0], part.corners[k - 1], part.corners[k]});
       triangle.isBacked = part.contact.isBacked;
@@ -93,6 +89,8 @@ void appendParts(const Triangle& whole, const std::vector<ContactPart>& parts, s
     }
   }
 }
+
+std::string quoted(const Surface& surface) { return "`" + raster::excerpt(surface.name) + "`"; }
 
 /// One sentence for each pair of surfaces in one place, and one for the rest if there are many.
 std::vector<std::string> coverWarnings(const Scene& scene, const std::set<std::pair<std::uint32_t, std::uint32_t>>& pairs) {
@@ -103,11 +101,83 @@ std::vector<std::string> coverWarnings(const Scene& scene, const std::set<std::p
                          " more pairs of surfaces lie in one place; the last one covers");
       break;
     }
-    const auto name = [&](std::uint32_t s) { return "`" + raster::excerpt(scene.surfaces[s].name) + "`"; };
-    warnings.push_back(name(by) + " covers " + name(covered) +
+    warnings.push_back(quoted(scene.surfaces[by]) + " covers " + quoted(scene.surfaces[covered]) +
                        " where both lie in one place and face the same way, because it comes later in the file");
   }
   return warnings;
+}
+
+/// The surfaces of which a triangle looks the other way than the rest of a closed shell.
+std::vector<std::string> turnedWarnings(const Scene& scene, const NumberedTriangles& triangles, const Shells& shells) {
+  std::set<std::uint32_t> turned;
+  for (std::uint32_t t = 0; t < triangles.surfaces.size(); ++t)
+    if (shells.isTurnedOver[t] && shells.kindOf(t) != ShellKind::Sheet && shells.isClosed[shells.ofTriangle[t]])
+      turned.insert(triangles.surfaces[t]);
+  std::vector<std::string> warnings;
+  for (const std::uint32_t s : turned)
+    warnings.push_back(quoted(scene.surfaces[s]) +
+                       " looks the other way than the other faces of its closed shell; --flip turns it over");
+  return warnings;
+}
+
+/// Whether a sample of the triangles of a room sees fronts on the outside, which belong to nothing in the room.
+bool isLookedAtFromOutside(const Scene& scene, const NumberedTriangles& triangles, const std::vector<std::uint32_t>& room,
+                           const RayTree& tree) {
+  constexpr std::size_t mostSamples = 64, smallestShare = 8;
+  std::size_t rays = 0, fronts = 0;
+  for (std::size_t i = 0; i < std::min(room.size(), mostSamples); ++i) {
+    const auto& [a, b, c] = triangles.positions[room[i * room.size() / std::min(room.size(), mostSamples)]];
+    const glm::dvec3 out = -glm::normalize(glm::cross(b - a, c - a)), along = glm::normalize(b - a);
+    for (const glm::dvec3& tilt : {along, -along, glm::cross(out, along), -glm::cross(out, along)}) {
+      const auto hit = tree.firstHit((a + b + c) / 3.0 + contactTolerance(scene) * out, out + tilt);
+      ++rays;
+      if (hit && hit->isFront) ++fronts;
+    }
+  }
+  return smallestShare * fronts > rays;
+}
+
+/// The rooms in which nothing is, and which are seen from outside: solids of which all faces are turned over.
+std::vector<std::string> emptyRoomWarnings(const Scene& scene, const NumberedTriangles& triangles, const Shells& shells,
+                                           const RayTree& tree) {
+  std::vector<std::vector<std::uint32_t>> ofShells(shells.kinds.size());
+  std::vector<Bounds> bounds(shells.kinds.size());
+  for (std::uint32_t t = 0; t < triangles.surfaces.size(); ++t) {
+    ofShells[shells.ofTriangle[t]].push_back(t);
+    for (const glm::dvec3& corner : triangles.positions[t]) bounds[shells.ofTriangle[t]].include(corner);
+  }
+  const auto isIn = [](const Bounds& inner, const Bounds& outer) {
+    return glm::all(glm::greaterThanEqual(inner.low, outer.low)) && glm::all(glm::lessThanEqual(inner.high, outer.high));
+  };
+  std::vector<std::string> warnings;
+  for (std::size_t room = 0; room < ofShells.size() && warnings.size() < mostWarnings; ++room) {
+    if (shells.kinds[room] != ShellKind::Room || !shells.isClosed[room]) continue;
+    const auto emits = [&](std::uint32_t t) {
+      const Surface& surface = scene.surfaces[triangles.surfaces[t]];
+      return scene.materials[static_cast<std::size_t>(surface.material)].emission != glm::dvec3(0);
+    };
+    if (std::any_of(ofShells[room].begin(), ofShells[room].end(), emits)) continue;
+    bool isEmpty = true;
+    for (std::size_t other = 0; other < ofShells.size() && isEmpty; ++other)
+      isEmpty = other == room || !isIn(bounds[other], bounds[room]);
+    if (!isEmpty || !isLookedAtFromOutside(scene, triangles, ofShells[room], tree)) continue;
+    const Surface& surface = scene.surfaces[triangles.surfaces[ofShells[room].front()]];
+    warnings.push_back("all faces of `" + raster::excerpt(surface.family) +
+                       "` look inwards, and nothing is inside, so that light falls on backs; if it is a solid, --flip "
+                       "turns it over");
+  }
+  return warnings;
+}
+
+/// Whether a ray meets the front of a triangle, or the back; nothing if it misses it (Moeller and Trumbore 1997).
+std::optional<bool> sideMet(const Triangle& triangle, const glm::dvec3& origin, const glm::dvec3& direction) {
+  const glm::dvec3 along1 = triangle.position[1] - triangle.position[0],
+                   along2 = triangle.position[2] - triangle.position[0], offset = origin - triangle.position[0];
+  const glm::dvec3 p = glm::cross(direction, along2), q = glm::cross(offset, along1);
+  const double determinant = glm::dot(along1, p);
+  const double u = glm::dot(offset, p) / determinant, v = glm::dot(direction, q) / determinant;
+  if (!(u >= 0 && v >= 0 && u + v <= 1 && glm::dot(along2, q) / determinant > 0)) return std::nullopt;
+  return determinant > 0;
 }
 
 /// Directions of rays, off the axes and the diagonals of boxes.
@@ -118,26 +188,42 @@ constexpr std::array directions{glm::dvec3(0.267, 0.911, 0.314), glm::dvec3(-0.8
 
 void resolveContacts(Scene& scene) {
   const NumberedTriangles triangles(scene);
-  const std::vector<std::vector<ContactPart>> parts = partsInContact(scene, triangles);
+  const Shells shells = findShells(triangles.positions);
+  const RayTree tree(scene);
+  const auto warn = [&](const std::vector<std::string>& warnings) {
+    scene.warnings.insert(scene.warnings.end(), warnings.begin(), warnings.end());
+  };
+  std::size_t t = 0;
+  for (Surface& surface : scene.surfaces)
+    for (Triangle& triangle : surface.triangles) {
+      const std::uint32_t shell = shells.ofTriangle[t];
+      if (shells.isClosed[shell] && shells.kinds[shell] == ShellKind::Solid)
+        triangle.solid = (shells.isTurnedOver[t] ? -1 : 1) * (static_cast<std::int32_t>(shell) + 1);
+      ++t;
+    }
+  warn(turnedWarnings(scene, triangles, shells));
+  warn(emptyRoomWarnings(scene, triangles, shells, tree));
+  const std::vector<std::vector<ContactPart>> parts = partsInContact(scene, triangles, shells, tree);
   std::set<std::pair<std::uint32_t, std::uint32_t>> covered;
   std::size_t number = 0;
   for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s) {
     std::vector<Triangle> left;
     for (const Triangle& triangle : scene.surfaces[s].triangles) {
-      appendParts(triangle, parts[number], left);
+      appendParts(triangle, parts[number], left, scene.covered);
       for (const ContactPart& part : parts[number])
         if (part.contact.coveredBy) covered.insert({s, triangles.surfaces[*part.contact.coveredBy]});
       ++number;
     }
     scene.surfaces[s].triangles = std::move(left);
   }
-  const std::vector<std::string> warnings = coverWarnings(scene, covered);
-  scene.warnings.insert(scene.warnings.end(), warnings.begin(), warnings.end());
+  warn(coverWarnings(scene, covered));
   std::erase_if(scene.surfaces, [](const Surface& surface) { return surface.triangles.empty(); });
 }
 
 void findBacked(Scene& scene) {
-  const std::vector<std::vector<ContactPart>> parts = partsInContact(scene, NumberedTriangles(scene));
+  const NumberedTriangles triangles(scene);
+  const std::vector<std::vector<ContactPart>> parts =
+      partsInContact(scene, triangles, findShells(triangles.positions), RayTree(scene));
   std::size_t number = 0;
   for (Surface& surface : scene.surfaces)
     for (Triangle& triangle : surface.triangles) {
@@ -146,27 +232,28 @@ void findBacked(Scene& scene) {
     }
 }
 
-Solids::Solids(const Scene& scene, const RayTree& rays) : rays_(rays) {
-  std::vector<TrianglePositions> positions;
-  for (const Surface& surface : scene.surfaces) {
-    firstTriangle_.push_back(static_cast<std::uint32_t>(positions.size()));
-    if (surface.twin) continue;
-    for (const Triangle& triangle : surface.triangles) positions.push_back(triangle.position);
-  }
-  firstTriangle_.push_back(static_cast<std::uint32_t>(positions.size()));
-  shells_ = findShells(positions);
-  hasSolid_ = std::find(shells_.kinds.begin(), shells_.kinds.end(), ShellKind::Solid) != shells_.kinds.end();
-}
+Solids::Solids(const Scene& scene, const RayTree& rays)
+    : scene_(scene),
+      rays_(rays),
+      hasSolid_(std::any_of(scene.surfaces.begin(), scene.surfaces.end(), [](const Surface& surface) {
+        return std::any_of(surface.triangles.begin(), surface.triangles.end(),
+                           [](const Triangle& triangle) { return triangle.solid != 0; });
+      })) {}
 
 bool Solids::contain(const glm::dvec3& point) const {
   if (!hasSolid_) return false;
   const auto isInside = [&](const glm::dvec3& direction) {
-    std::map<std::pair<std::uint32_t, std::uint32_t>, int> windings;  // by instance and shell
+    std::map<std::pair<std::uint32_t, std::int32_t>, int> windings;  // by instance and solid
+    const auto meet = [&](std::uint32_t instance, std::int32_t solid, bool isFront) {
+      if (solid != 0) windings[{instance, std::abs(solid)}] += isFront == (solid > 0) ? -1 : 1;
+    };
     rays_.visitHits(point, direction, [&](const TriangleHit& hit) {
-      const std::uint32_t triangle = firstTriangle_[hit.surface] + hit.triangle;
-      if (triangle >= firstTriangle_[hit.surface + 1] || shells_.kindOf(triangle) != ShellKind::Solid) return;
-      windings[{hit.instance, shells_.ofTriangle[triangle]}] += hit.isFront ? -1 : 1;
+      meet(hit.instance, scene_.surfaces[hit.surface].triangles[hit.triangle].solid, hit.isFront);
     });
+    for (std::uint32_t i = 0; i < scene_.instances.size(); ++i)
+      for (const Triangle& triangle : scene_.covered)
+        if (const auto front = sideMet(placed(triangle, scene_.instances[i]), point, direction))
+          meet(i, triangle.solid, *front);
     return std::any_of(windings.begin(), windings.end(), [](const auto& winding) { return winding.second > 0; });
   };
   return std::count_if(directions.begin(), directions.end(), isInside) > 1;

@@ -1,27 +1,24 @@
 /// Contacts: what a scene means where its faces lie in one place (docs/light.md, "Faces in one place").
 #pragma once
 
-#include <cstdint>
-#include <vector>
-
-#include "radiosity/geometry/shells.h"
 #include "radiosity/scene/ray_tree.h"
 #include "radiosity/scene/scene.h"
 
 namespace hemitex::radiosity {
 
-/// Cuts triangles where only a part of them is in contact with others (see contact_parts.h). Parts without a visible
-/// back become `isBacked`. Parts that later faces cover are removed, with a warning; a surface that is covered
-/// completely is removed, too. Images of a scene are not in contact with it.
+/// Numbers the closed solids, and warns of faces that look the other way. Cuts triangles where only a part of them is in
+/// contact with others (see contact_parts.h). Parts without a visible back become `isBacked`. Parts that later faces
+/// cover are removed, with a warning; a surface that is covered completely is removed, too. Images of a scene are not in
+/// contact with it.
 void resolveContacts(Scene& scene);
 
 /// Finds again which triangles are backed, without cutting any: after faces have moved.
 void findBacked(Scene& scene);
 
-/// The solids of a scene: closed shells of surfaces without twins (see shells.h).
+/// The closed solids of a scene.
 class Solids {
  public:
-  /// Keeps a reference to the rays, which are those of the scene.
+  /// Keeps references to the scene and to its rays.
   Solids(const Scene& scene, const RayTree& rays);
 
   /// Whether a point lies inside a solid: the winding number of one is at least 1. A ray from inside a closed shell
@@ -29,10 +26,9 @@ class Solids {
   bool contain(const glm::dvec3& point) const;
 
  private:
+  const Scene& scene_;
   const RayTree& rays_;
-  Shells shells_;
-  std::vector<std::uint32_t> firstTriangle_;  ///< of each surface, in shells_
-  bool hasSolid_ = false;
+  bool hasSolid_;
 };
 
 }  // namespace hemitex::radiosity

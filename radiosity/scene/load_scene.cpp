@@ -27,6 +27,7 @@
 #include "radiosity/scene/mesh_sections.h"
 #include "radiosity/scene/open_sheets.h"
 #include "radiosity/scene/section_charts.h"
+#include "radiosity/scene/surface_names.h"
 #include "raster/base/file_io.h"
 #include "raster/base/input_error.h"
 #include "raster/base/memory_budget.h"
@@ -186,17 +187,12 @@ void addSurfaces(Scene& scene, std::vector<Surface> parts, const std::string& fa
   }
 }
 
-void setBacked(Surface& surface) {
-  for (Triangle& triangle : surface.triangles) triangle.isBacked = true;
-}
-
 /// The other side of a surface.
 Surface backOf(const Surface& front) {
   Surface back = front;
   back.name += "/back";
   back.family += "/back";
   turnOver(back);
-  setBacked(back);
   return back;
 }
 
@@ -206,7 +202,6 @@ void addBacks(Scene& scene, const std::vector<std::uint32_t>& numbers) {
   std::vector<Surface>& surfaces = scene.surfaces;
   std::map<int, int> backObjects;
   for (const std::uint32_t s : numbers) {
-    const auto back = static_cast<int>(surfaces.size());
     surfaces.push_back(backOf(surfaces[s]));
     const int front = *surfaces[s].object;
     const auto [known, isNew] = backObjects.try_emplace(front, static_cast<int>(scene.objects.size()));
@@ -215,10 +210,14 @@ void addBacks(Scene& scene, const std::vector<std::uint32_t>& numbers) {
       scene.objects.push_back({object.name + "/back", object.parent});
     }
     surfaces.back().object = known->second;
-    surfaces[s].twin = back;
-    setBacked(surfaces[s]);
-    surfaces.back().twin = static_cast<int>(s);
+    makeTwins(surfaces, s, surfaces.size() - 1);
   }
+}
+
+/// Turns surfaces over by their names. Throws InputError with similar names if there is none.
+void flip(Scene& scene, const std::vector<std::string>& names) {
+  for (const std::string& name : names)
+    for (const std::uint32_t s : surfacesNamed(scene, name)) turnOver(scene.surfaces[s]);
 }
 
 std::vector<std::uint32_t> allSurfaces(const Scene& scene) {
@@ -316,6 +315,7 @@ Scene makeScene(PolygonMesh mesh, const MaterialSource& materials, const std::fi
     const auto object = static_cast<int>(sections[s].object);
     addSurfaces(scene, layCharts(std::move(sections[s]), mesh, file, settings), family, choice.ofSection[s], object);
   }
+  flip(scene, settings.flip);
   setSymmetry(scene, settings.symmetry);
   resolveContacts(scene);
   if (settings.sides == Sides::Two) addBacks(scene, allSurfaces(scene));

@@ -126,6 +126,13 @@ void turnOver(Surface& surface) {
   for (Triangle& triangle : surface.triangles) exchangeSides(triangle);
 }
 
+void makeTwins(std::vector<Surface>& surfaces, std::size_t one, std::size_t other) {
+  surfaces[one].twin = static_cast<int>(other);
+  surfaces[other].twin = static_cast<int>(one);
+  for (const std::size_t s : {one, other})
+    for (Triangle& triangle : surfaces[s].triangles) triangle.isBacked = true;
+}
+
 glm::dvec3 normal(const Triangle& triangle) {
   const glm::dvec3 direction = doubledArea(triangle);
   return direction / glm::length(direction);

@@ -64,6 +64,9 @@ struct Triangle {
   std::uint32_t polygon = 0;  ///< the face of the file that contains the triangle, counted from 0 over the file
   /// Whether another face lies on the back and shows its front there, so that nobody sees the back (see contacts.h).
   bool isBacked = false;
+  /// The closed solid of the file to which the triangle belongs, from 1; negative if it looks inwards there by mistake;
+  /// 0 for none.
+  std::int32_t solid = 0;
 };
 
 struct Surface {
@@ -114,6 +117,8 @@ struct Scene {
   OutsideLight outside = {};               ///< not part of the file
   std::vector<std::string> warnings;       ///< one sentence each, for the user
   std::optional<SceneCamera> camera = {};  ///< OBJ files have none
+  /// The parts of solids that other faces cover, which no surface has.
+  std::vector<Triangle> covered = {};
   /// Those of the file, some without surfaces; then the backs of two-sided ones, named `/back`, with the same parents.
   std::vector<SceneObject> objects = {};
   std::vector<std::filesystem::path> files = {};  ///< all that were read: the scene, its materials, images and buffers
@@ -149,6 +154,9 @@ double area(const Surface& surface);
 
 /// Exchanges front and back: the same triangles in reverse order, each corner with its own coordinates.
 void turnOver(Surface& surface);
+
+/// Makes two surfaces with the same triangles the two sides of one sheet: twins, whose backs nobody sees.
+void makeTwins(std::vector<Surface>& surfaces, std::size_t one, std::size_t other);
 
 /// The number of triangles of all surfaces. Triangles are numbered through the scene, surface by surface.
 std::size_t triangleCount(const Scene& scene);

@@ -10,6 +10,7 @@
 
 #include "radiosity/base/name_suggestions.h"
 #include "radiosity/base/unique_names.h"
+#include "radiosity/scene/contacts.h"
 #include "radiosity/scene/load_scene.h"
 #include "radiosity/scene/mtl_file.h"
 #include "raster/base/input_error.h"
@@ -104,6 +105,7 @@ class Editor {
       move(scene_, scene_.surfaces[s], edit.by);
       origins_[s].isMoved = true;
     }
+    hasNewPlaces_ = true;
   }
 
   void apply(const Remove& edit) {
@@ -114,6 +116,7 @@ class Editor {
     for (std::size_t s = 0; s < goes.size(); ++s)
       if (!goes[s]) origins.push_back(origins_[s]);
     origins_ = std::move(origins);
+    hasNewPlaces_ = true;
   }
 
   void apply(const Restore& edit) {
@@ -122,6 +125,7 @@ class Editor {
       comes[s] = true;
     take(removed_, comes, scene_.surfaces);
     origins_.resize(scene_.surfaces.size());
+    hasNewPlaces_ = true;
   }
 
   void apply(const Add& edit) {
@@ -151,6 +155,7 @@ class Editor {
       scene_.surfaces.push_back(std::move(surface));
     }
     origins_.resize(scene_.surfaces.size());
+    hasNewPlaces_ = true;
   }
 
   void apply(const SetEmission& edit) {
@@ -175,6 +180,7 @@ class Editor {
 
   EditedScene result() && {
     if (scene_.surfaces.empty()) throw InputError("the edits leave nothing of the scene");
+    if (hasNewPlaces_) findBacked(scene_);
     return {std::move(scene_), std::move(origins_), std::move(removed_)};
   }
 
@@ -239,6 +245,7 @@ class Editor {
   Scene scene_;
   std::vector<Origin> origins_;
   std::vector<Surface> removed_;
+  bool hasNewPlaces_ = false;
 };
 
 /// How far a surface moved between two readings; nothing if it has another shape, chart, name or twin.

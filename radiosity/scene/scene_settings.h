@@ -4,6 +4,7 @@
 #include <numbers>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "radiosity/scene/symmetry.h"
 
@@ -45,6 +46,7 @@ struct SceneSettings {
   /// The cell data of a VTK file that are the reflectance and the emission of its faces; empty: none.
   std::string cellReflectance = {}, cellEmission = {};
   Symmetry symmetry = {};
+  std::vector<std::string> flip = {};  ///< names of surfaces or families that are turned over
 };
 
 }  // namespace hemitex::radiosity

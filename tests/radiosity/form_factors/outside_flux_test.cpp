@@ -210,8 +210,7 @@ TEST_CASE("outsideFlux lights elements that are smaller than a pixel", "[outside
 TEST_CASE("outsideFlux lights both sides of two-sided sheets", "[outside_flux]") {
   std::vector<Surface> surfaces{tests::parallelogram("top", {0, 0, 0}, {1, 0, 0}, {0, 1, 0}),
                                 tests::parallelogram("bottom", {0, 0, 0}, {0, 1, 0}, {1, 0, 0})};
-  surfaces[0].twin = 1;
-  surfaces[1].twin = 0;
+  makeTwins(surfaces, 0, 1);
   OutsideLight outside = sun({0, 0, 1}, glm::dvec3(2));
   outside.sky = glm::dvec3(1);
   const Lit lit(sceneWith(std::move(surfaces), outside), {.texels = 4});

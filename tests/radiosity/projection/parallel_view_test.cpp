@@ -106,8 +106,7 @@ TEST_CASE("trianglesFacingAway with onlyTwins are the hidden sides of two-sided 
   scene.surfaces = {tests::parallelogram("front", {0, 0, 0}, {1, 0, 0}, {0, 1, 0}),
                     tests::parallelogram("back", {0, 0, 0}, {0, 1, 0}, {1, 0, 0})};
   CHECK(trianglesFacingAway(scene, {0, 0, 9}, true).empty());
-  scene.surfaces[0].twin = 1;
-  scene.surfaces[1].twin = 0;
+  makeTwins(scene.surfaces, 0, 1);
   CHECK(trianglesFacingAway(scene, {0, 0, 9}, true) == std::vector<std::uint32_t>{2, 3});
   CHECK(trianglesFacingAway(scene, {0, 0, -9}, true) == std::vector<std::uint32_t>{0, 1});
 }

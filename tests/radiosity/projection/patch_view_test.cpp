@@ -93,8 +93,6 @@ TEST_CASE("skippedTriangles are the same with and without boxes", "[view]") {
     Scene scene;
     scene.extent = 2;
     scene.surfaces.resize(3);
-    scene.surfaces[0].twin = 1;
-    scene.surfaces[1].twin = 0;
     const double tolerance = tangentPlaneTolerance * scene.extent;
     const double inside = 0.999 * tolerance, outside = 1.001 * tolerance;
     const std::array<std::pair<double, double>, 7> runs{
@@ -118,9 +116,13 @@ TEST_CASE("skippedTriangles are the same with and without boxes", "[view]") {
         ++number;
         scene.surfaces[s].triangles.push_back(triangle);
       }
+    makeTwins(scene.surfaces, 0, 1);
     CHECK(skippedTriangles(scene, triangleBoxes(scene), 0, point) == expected);
     // Without twins, only the tangent plane matters.
-    scene.surfaces[0].twin = scene.surfaces[1].twin = {};
+    for (Surface& surface : scene.surfaces) {
+      surface.twin = {};
+      for (Triangle& triangle : surface.triangles) triangle.isBacked = false;
+    }
     std::erase_if(expected, [&](std::uint32_t t) {
       if (t >= scene.surfaces[0].triangles.size()) return true;
       const auto& position = scene.surfaces[0].triangles[t].position;

@@ -2,54 +2,18 @@
 #include "radiosity/scene/open_sheets.h"
 
 #include <catch2/catch.hpp>
-#include <fstream>
 
-#include "radiosity/scene/load_scene.h"
-#include "tests/support/temporary_folder.h"
+#include "tests/support/box_text.h"
 
 using namespace hemitex;
 using namespace hemitex::radiosity;
+using tests::BoxText;
 
 namespace {
 
-/// The text of an OBJ file.
-struct Objects {
-  std::string text = "mtllib scene.mtl\n";
-
-  void begin(const std::string& name, const std::string& material = "grey") {
-    text += "o " + name + "\nusemtl " + material + "\n";
-  }
-
-  void addQuad(const std::array<glm::dvec3, 4>& corners) {
-    for (const glm::dvec3& p : corners)
-      text += "v " + std::to_string(p.x) + " " + std::to_string(p.y) + " " + std::to_string(p.z) + "\n";
-    text += "f -4 -3 -2 -1\n";
-  }
-
-  /// The sides of a box that face outwards, or inwards; the bottom last.
-  void addBox(const glm::dvec3& low, const glm::dvec3& high, bool isInward, int sides = 6) {
-    const auto at = [&](int i) {
-      return glm::dvec3(i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z);
-    };
-    constexpr std::array<std::array<int, 4>, 6> faces{
-        {{4, 5, 7, 6}, {1, 0, 2, 3}, {5, 1, 3, 7}, {0, 4, 6, 2}, {6, 7, 3, 2}, {0, 1, 5, 4}}};
-    for (int side = 0; side < sides; ++side) {
-      const auto& [a, b, c, d] = faces[static_cast<std::size_t>(side)];
-      addQuad(isInward ? std::array{at(d), at(c), at(b), at(a)} : std::array{at(a), at(b), at(c), at(d)});
-    }
-  }
-
-  Scene load(Sides sides) const {
-    const TemporaryFolder folder;
-    std::ofstream(folder.path / "scene.mtl") << "newmtl grey\nKd .5 .5 .5\nnewmtl lamp\nKd 0 0 0\nKe 9 9 9\n";
-    std::ofstream(folder.path / "scene.obj") << text;
-    return loadScene(folder.path / "scene.obj", {.sides = sides});
-  }
-};
-
 /// A closed room with a lamp under its ceiling.
-Objects room() {
-  Objects objects;
+BoxText room() {
+  BoxText objects;
   objects.begin("room");
   objects.addBox({0, 0, 0}, {4, 3, 4}, true);
   objects.begin("lamp", "lamp");
@@ -57,8 +21,8 @@ Objects room() {
   return objects;
 }
 
-std::vector<std::string> sheetsOf(const Objects& objects) {
-  const Scene scene = objects.load(Sides::One);
+std::vector<std::string> sheetsOf(const BoxText& objects) {
+  const Scene scene = objects.load({.sides = Sides::One});
   std::vector<std::string> names;
   for (const std::uint32_t s : sheetsLitFromBothSides(scene)) names.push_back(scene.surfaces[s].name);
   return names;
@@ -69,7 +33,7 @@ using Names = std::vector<std::string>;
 }  // namespace
 
 TEST_CASE("sheetsLitFromBothSides finds no sheet in closed rooms and solids, nor an emitter", "[sheets]") {
-  Objects objects = room();
+  BoxText objects = room();
   objects.begin("solid");
   objects.addBox({1, 0.5, 1}, {2, 1, 2}, false);
   CHECK(sheetsOf(objects).empty());
@@ -77,7 +41,7 @@ TEST_CASE("sheetsLitFromBothSides finds no sheet in closed rooms and solids, nor
 
 TEST_CASE("sheetsLitFromBothSides finds a curtain, a table top and a wall of one face between two parts of a room",
           "[sheets]") {
-  Objects objects = room();
+  BoxText objects = room();
   objects.begin("curtain");
   objects.addQuad({{{0.5, 0.2, 0.5}, {2, 0.2, 0.5}, {2, 2, 0.5}, {0.5, 2, 0.5}}});
   objects.begin("table");
@@ -90,7 +54,7 @@ TEST_CASE("sheetsLitFromBothSides finds a curtain, a table top and a wall of one
 }
 
 TEST_CASE("sheetsLitFromBothSides leaves out a box without a bottom, a rug, and what lies outside", "[sheets]") {
-  Objects objects = room();
+  BoxText objects = room();
   objects.begin("box");
   objects.addBox({1, 0, 1}, {2, 1, 2}, false, 5);
   objects.begin("rug");
@@ -103,10 +67,10 @@ TEST_CASE("sheetsLitFromBothSides leaves out a box without a bottom, a rug, and 
 }
 
 TEST_CASE("loadScene gives sheets a twin, and no other surface", "[sheets]") {
-  Objects objects = room();
+  BoxText objects = room();
   objects.begin("curtain");
   objects.addQuad({{{0.5, 0.2, 0.5}, {2, 0.2, 0.5}, {2, 2, 0.5}, {0.5, 2, 0.5}}});
-  const Scene scene = objects.load(Sides::TwoOfSheets);
+  const Scene scene = objects.load({.sides = Sides::TwoOfSheets});
   REQUIRE(scene.surfaces.size() == 9);
   CHECK(scene.surfaces.back().name == "curtain/back");
   CHECK(scene.surfaces[7].twin == 8);

@@ -253,8 +253,7 @@ TEST_CASE("RayRows in two-sided scenes pass backs and meet their twins", "[ray r
                                 tests::parallelogram("over", {0, 0, 1}, {0, 1, 0}, {1, 0, 0}),
                                 tests::parallelogram("sheet", {0, 0, 0.5}, {0, 1, 0}, {1, 0, 0}),
                                 tests::parallelogram("twin", {0, 0, 0.5}, {1, 0, 0}, {0, 1, 0})});
-  scene.surfaces[2].twin = 3;
-  scene.surfaces[3].twin = 2;
+  makeTwins(scene.surfaces, 2, 3);
   const World world(scene);
   RayRows rows = world.rows(rays, RayStart::Area);
   const double exact = parallelRectangles(square, square, 0.5);

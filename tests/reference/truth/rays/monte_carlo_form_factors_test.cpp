@@ -428,8 +428,7 @@ TEST_CASE("RayFormFactors in two-sided scenes reach both sides and meet no back"
   // A sheet halfway between two squares, with a twin: each square sees one side of it.
   Scene scene = tests::sceneOf({facingUp(unitSquare), facingDown(unitSquare, 1), facingDown(unitSquare, 0.5),
                                 tests::parallelogram("twin", {0, 0, 0.5}, {1, 0, 0}, {0, 1, 0})});
-  scene.surfaces[2].twin = 3;
-  scene.surfaces[3].twin = 2;
+  makeTwins(scene.surfaces, 2, 3);
   const World world(scene);
   const Receivers receivers = everyElement(world.discretization);
   const double exact = parallelRectangles(unitSquare, unitSquare, 0.5);

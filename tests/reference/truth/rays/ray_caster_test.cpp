@@ -220,8 +220,7 @@ TEST_CASE("RayCaster::firstHit in two-sided scenes passes backs and meets their 
   REQUIRE(oneSided);
   CHECK(oneSided->triangle / 2 == 0);
   CHECK_FALSE(oneSided->front);
-  scene.surfaces[0].twin = 1;
-  scene.surfaces[1].twin = 0;
+  makeTwins(scene.surfaces, 0, 1);
   const auto twoSided = RayCaster(scene).firstHit(up);
   REQUIRE(twoSided);
   CHECK(twoSided->triangle / 2 == 1);
