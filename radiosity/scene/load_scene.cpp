@@ -300,7 +300,7 @@ Scene makeScene(PolygonMesh mesh, const MaterialSource& materials, const std::fi
   scene.faces = mesh.polygons.size();
   scene.warnings = mesh.warnings;
   scene.objects = mesh.objects;
-  std::vector<Section> sections = cutIntoSections(mesh, scene.warnings);
+  std::vector<Section> sections = cutIntoSections(mesh, settings.facets, scene.warnings);
   if (sections.empty()) failEmpty(mesh, file);
 
   const MaterialChoice choice = chooseMaterials(sections);

@@ -104,14 +104,14 @@ void reserveTriangles(const PolygonMesh& mesh, std::vector<Section>& sections) {
 }
 
 /// One section per section of the file; some may be empty.
-std::vector<Section> cutPolygons(const PolygonMesh& mesh, std::vector<std::string>& warnings) {
+std::vector<Section> cutPolygons(const PolygonMesh& mesh, bool areFacets, std::vector<std::string>& warnings) {
   std::vector<Section> sections(mesh.sections.size());
   reserveTriangles(mesh, sections);
-  // One of two equal polygons hides the other, but both would emit.
+  // Equal polygons of a section have the same chart. Of different sections the last one covers (see contacts.h).
   const std::vector<std::uint32_t> first = firstOfEqual(mesh);
   FaceCount degenerate, crossing, repeated;
   for (std::uint32_t p = 0; p < mesh.polygons.size(); ++p) {
-    if (first[p] != p) {
+    if (first[p] != p && (areFacets || mesh.polygons[first[p]].section == mesh.polygons[p].section)) {
       repeated.add(mesh, p);
       continue;
     }
@@ -168,8 +168,8 @@ std::vector<std::uint32_t> firstOfEqual(const PolygonMesh& mesh) {
   return first;
 }
 
-std::vector<Section> cutIntoSections(const PolygonMesh& mesh, std::vector<std::string>& warnings) {
-  std::vector<Section> sections = cutPolygons(mesh, warnings);
+std::vector<Section> cutIntoSections(const PolygonMesh& mesh, bool areFacets, std::vector<std::string>& warnings) {
+  std::vector<Section> sections = cutPolygons(mesh, areFacets, warnings);
   std::vector<int> sectionsOfObject(mesh.objects.size());
   for (std::size_t s = 0; s < sections.size(); ++s) {
     if (!sections[s].triangles.empty()) ++sectionsOfObject[mesh.sections[s].object];
