@@ -24,7 +24,7 @@ void validateIndexMap(const IndexMap& map, ItemId largest) {
   if (map.width < 1 || map.height < 1 ||
       map.ids.size() != static_cast<std::size_t>(map.width) * static_cast<std::size_t>(map.height))
     throw InputError("an index map does not hold width x height item IDs");
-  if (std::any_of(map.ids.begin(), map.ids.end(), [largest](ItemId id) { return id > largest; }))
+  if (std::any_of(map.ids.begin(), map.ids.end(), [largest](ItemId id) { return id > largest && id != holeTexel; }))
     throw InputError("an index map holds an item ID wider than the format");
 }
 
@@ -36,14 +36,14 @@ bool reachesBackground(const DrawList& list, ItemId offset, const IndexMap& map,
                             ? std::uint64_t{offset} + largestTexel >= background
                             : blend(list.format, list.blend, offset, largestTexel) == background;
   return mayReach && std::any_of(map.ids.begin(), map.ids.end(), [&](ItemId texel) {
-           return blend(list.format, list.blend, offset, texel) == background;
+           return texel != holeTexel && blend(list.format, list.blend, offset, texel) == background;
          });
 }
 
-/// The bits set in any texel. No texel exceeds this item ID, neither as a whole nor in any channel.
+/// The bits set in any texel but holes. No texel exceeds this item ID, neither as a whole nor in any channel.
 ItemId upperBound(const IndexMap& map) {
   ItemId bits = 0;
-  for (const ItemId id : map.ids) bits |= id;
+  for (const ItemId id : map.ids) bits |= id == holeTexel ? 0 : id;
   return bits;
 }
 
@@ -63,6 +63,8 @@ void validateDraw(const DrawList& list, const Draw& draw, const std::vector<Item
 }
 
 }  // namespace
+
+bool hasHoles(const IndexMap& map) { return std::find(map.ids.begin(), map.ids.end(), holeTexel) != map.ids.end(); }
 
 void validate(const DrawList& list) {
   validateFormat(list.format);

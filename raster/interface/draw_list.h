@@ -11,7 +11,8 @@
 
 namespace hemitex::raster {
 
-/// A texel of an index map without an item ID: its fragment is discarded before the depth test (version 2 of the rules).
+/// A texel of an index map without an item ID. Fragments there, fronts and backs, are discarded before the depth test
+/// (version 2 of the rules).
 inline constexpr ItemId holeTexel = 0xFFFFFFFF;
 
 /// A texture of item IDs: row-major, row 0 at v = 0, column 0 at u = 0.
@@ -20,6 +21,8 @@ struct IndexMap {
   int height = 0;
   std::vector<ItemId> ids;  ///< width * height item IDs or holes, at most 2^31
 };
+
+bool hasHoles(const IndexMap& map);
 
 /// Which triangles of a draw do not exist: none, those that face the eye, or those that face away (version 2).
 enum class Cull : std::uint8_t { None, Front, Back };
@@ -47,7 +50,7 @@ struct DrawList {
 };
 
 /// Throws InputError if the list breaks a rule: an index or a run out of range, an index map of the wrong size, an item
-/// ID wider than the format, or a draw that can produce the background.
+/// ID wider than the format, or a draw that can produce the background. Holes are no item IDs.
 void validate(const DrawList& list);
 
 }  // namespace hemitex::raster

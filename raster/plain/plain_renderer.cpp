@@ -17,13 +17,13 @@ void append(std::vector<SnappedTriangle>& triangles, const DrawList& list, const
     triangle.draw = draw;
     triangle.number = t;
     triangle.piece = static_cast<int>(k) - 2;
-    if (triangle.area != 0) triangles.push_back(triangle);
+    if (triangle.area != 0 && !isCulled(list.draws[draw], triangle.facesAway)) triangles.push_back(triangle);
   }
 }
 
 void drawFace(const DrawList& list, const Face& face, std::span<const std::uint32_t> skipped, ItemBuffer& buffer) {
   const std::vector<SnappedTriangle> triangles = snappedTriangles(list, face, skipped);
-  const std::vector<CoveredSample> visible = visibleSamples(triangles, face.scissor);
+  const std::vector<CoveredSample> visible = visibleSamples(list, triangles, face.scissor);
   buffer.resize(face.scissor);
   for (std::size_t pixel = 0; pixel < visible.size(); ++pixel) {
     const SnappedTriangle* triangle = visible[pixel].triangle;
@@ -44,7 +44,8 @@ std::vector<SnappedTriangle> snappedTriangles(const DrawList& list, const Face& 
   return triangles;
 }
 
-std::vector<CoveredSample> visibleSamples(std::span<const SnappedTriangle> triangles, const Scissor& scissor) {
+std::vector<CoveredSample> visibleSamples(const DrawList& list, std::span<const SnappedTriangle> triangles,
+                                          const Scissor& scissor) {
   std::vector<CoveredSample> visible(static_cast<std::size_t>(scissor.width) *
                                      static_cast<std::size_t>(scissor.height));
   for (const SnappedTriangle& triangle : triangles) {
@@ -57,7 +58,9 @@ std::vector<CoveredSample> visibleSamples(std::span<const SnappedTriangle> trian
         if (!covers(triangle, weights)) continue;
         const auto pixel = static_cast<std::size_t>((row - scissor.row) * scissor.width + column - scissor.column);
         const CoveredSample sample = coveredSample(triangle, weights);
-        if (!visible[pixel].triangle || isNearer(sample, visible[pixel])) visible[pixel] = sample;
+        // A hole is looked up only where it would be seen, which gives the same pixels.
+        const bool isSeen = !visible[pixel].triangle || isNearer(sample, visible[pixel]);
+        if (isSeen && !isHole(list, sample)) visible[pixel] = sample;
       }
   }
   return visible;

@@ -10,12 +10,13 @@
 
 namespace hemitex::raster {
 
-/// View, clip and snap: the triangles on the picture of a face, in draw order, without the `skipped` (ascending).
+/// View, clip, snap and cull: the triangles on the picture of a face, in draw order, without the `skipped` (ascending).
 std::vector<SnappedTriangle> snappedTriangles(const DrawList& list, const Face& face,
                                               std::span<const std::uint32_t> skipped = {});
 
 /// Cover and depth: what each pixel of a scissor rectangle shows, row by row. It refers to the triangles.
-std::vector<CoveredSample> visibleSamples(std::span<const SnappedTriangle> triangles, const Scissor& scissor);
+std::vector<CoveredSample> visibleSamples(const DrawList& list, std::span<const SnappedTriangle> triangles,
+                                          const Scissor& scissor);
 
 class PlainRenderer final : public ItemBufferRenderer {
  public:

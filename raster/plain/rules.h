@@ -191,6 +191,9 @@ inline SnappedTriangle snappedTriangle(const Face& face, const std::array<ViewVe
   return triangle;
 }
 
+/// Whether a draw culls triangles of this facing. A culled triangle does not exist.
+inline bool isCulled(const Draw& draw, bool facesAway) { return draw.cull == (facesAway ? Cull::Back : Cull::Front); }
+
 /// The edge functions of a sample: those of the edges opposite to each corner, and positive inside. Divided by their
 /// sum they are the barycentric weights of the corners.
 using Weights = std::array<std::int64_t, 3>;
@@ -314,21 +317,37 @@ struct Texel {
   bool operator==(const Texel&) const = default;
 };
 
-/// The texel of a sample; none without an index map, or on a back.
-inline std::optional<Texel> texelOf(const DrawList& list, const CoveredSample& sample) {
+/// The texel of a sample in an index map.
+inline Texel texelIn(const IndexMap& map, const CoveredSample& sample) {
+  return {texelAt(sample, &ViewVertex::u, map.width), texelAt(sample, &ViewVertex::v, map.height)};
+}
+
+/// The index map of a draw that has one.
+inline const IndexMap& mapOf(const DrawList& list, const Draw& draw) {
+  return list.indexMaps[static_cast<std::size_t>(*draw.indexMap)];
+}
+
+/// The index that the map of a draw holds at a texel.
+inline ItemId indexAt(const DrawList& list, const Draw& draw, const Texel& texel) {
+  const IndexMap& map = mapOf(list, draw);
+  return map.ids[static_cast<std::size_t>(texel.row) * static_cast<std::size_t>(map.width) +
+                 static_cast<std::size_t>(texel.column)];
+}
+
+/// Whether a sample meets a hole of its index map, which is open from both sides. Its fragment is discarded: it takes
+/// no part in the depth test.
+inline bool isHole(const DrawList& list, const CoveredSample& sample) {
   const Draw& draw = list.draws[sample.triangle->draw];
-  if (!draw.indexMap || (sample.triangle->facesAway && draw.back)) return {};
-  const IndexMap& map = list.indexMaps[static_cast<std::size_t>(*draw.indexMap)];
-  return Texel{texelAt(sample, &ViewVertex::u, map.width), texelAt(sample, &ViewVertex::v, map.height)};
+  return draw.indexMap && indexAt(list, draw, texelIn(mapOf(list, draw), sample)) == holeTexel;
 }
 
 // ------------------------------------------------------------------------------------------------------------ 7. blend
 
-/// The index that the map of a draw holds at a texel.
-inline ItemId indexAt(const DrawList& list, const Draw& draw, const Texel& texel) {
-  const IndexMap& map = list.indexMaps[static_cast<std::size_t>(*draw.indexMap)];
-  return map.ids[static_cast<std::size_t>(texel.row) * static_cast<std::size_t>(map.width) +
-                 static_cast<std::size_t>(texel.column)];
+/// The texel that gives a sample its item ID; none without an index map, or on a back.
+inline std::optional<Texel> texelOf(const DrawList& list, const CoveredSample& sample) {
+  const Draw& draw = list.draws[sample.triangle->draw];
+  if (!draw.indexMap || (sample.triangle->facesAway && draw.back)) return {};
+  return texelIn(mapOf(list, draw), sample);
 }
 
 /// The idea of the paper: the item ID is the offset of the surface plus the index of the texel. `blend` (item_id.h)

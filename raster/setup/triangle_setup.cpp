@@ -44,7 +44,7 @@ bool isOutsideView(const std::array<ViewVertex, 3>& p, double nearDistance) {
          all([](const ViewVertex& q) { return -q.y > 2 * std::abs(q.w); });
 }
 
-/// Clips and appends triangle t, unless a value is not finite (raster rules, 2).
+/// Clips and appends triangle t, unless a value is not finite (raster rules, 2) or its draw culls it.
 void appendScreenTriangle(const DrawList& list, const Face& face, bool mirrored, std::uint32_t draw, std::uint32_t t,
                           std::vector<ScreenTriangle>& triangles) {
   const std::array<ViewVertex, 3> vertices = view(face, list, t);
@@ -54,7 +54,9 @@ void appendScreenTriangle(const DrawList& list, const Face& face, bool mirrored,
     ScreenTriangle triangle;
     triangle.draw = draw;
     triangle.number = t;
-    if (makeScreenTriangle(face, fanTriangle(polygon, k), mirrored, triangle)) triangles.push_back(triangle);
+    if (makeScreenTriangle(face, fanTriangle(polygon, k), mirrored, triangle) &&
+        !isCulled(list.draws[draw], triangle.facesAway))
+      triangles.push_back(triangle);
   }
 }
 

@@ -58,8 +58,8 @@ struct TriangleRun {
   std::uint32_t end = 0;
 };
 
-/// Appends the screen triangles of runs, in draw order, without triangles in `skipped` (ascending) and without those
-/// that have a value that is not finite.
+/// Appends the screen triangles of runs, in draw order, without triangles in `skipped` (ascending), without those that
+/// have a value that is not finite, and without culled ones.
 void appendScreenTriangles(const DrawList& list, const Face& face, std::span<const TriangleRun> runs,
                            std::span<const std::uint32_t> skipped, std::vector<ScreenTriangle>& triangles);
 

@@ -24,8 +24,9 @@ std::uint32_t skippedOf(const Cluster& cluster, std::span<const std::uint32_t> s
 
 }  // namespace
 
-bool makeScreenTriangle(const ClusterMesh& mesh, const Cluster& cluster, const ClusterPart& part, std::uint32_t t,
-                        const PlacedVertices& placed, const Scissor& scissor, bool mirrored, ScreenTriangle& triangle) {
+bool makeScreenTriangle(const DrawList& list, const ClusterMesh& mesh, const Cluster& cluster, const ClusterPart& part,
+                        std::uint32_t t, const PlacedVertices& placed, const Scissor& scissor, bool mirrored,
+                        ScreenTriangle& triangle) {
   std::array<SnappedPoint, 3> snapped;
   std::array<ViewVertex, 3> vertices;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -38,7 +39,7 @@ bool makeScreenTriangle(const ClusterMesh& mesh, const Cluster& cluster, const C
   const TriangleRun one = triangleOf(cluster, t);
   triangle.draw = one.draw;
   triangle.number = one.first;
-  return true;
+  return !isCulled(list.draws[one.draw], triangle.facesAway);
 }
 
 TriangleSets appendScreenTriangles(const DrawList& list, const ClusterMesh& mesh, const Cluster& cluster,
@@ -62,7 +63,8 @@ TriangleSets appendScreenTriangles(const DrawList& list, const ClusterMesh& mesh
       continue;
     }
     ScreenTriangle& triangle = triangles.emplace_back();
-    if (!makeScreenTriangle(mesh, cluster, part, t, placed, face.scissor, mirrored, triangle)) triangles.pop_back();
+    if (!makeScreenTriangle(list, mesh, cluster, part, t, placed, face.scissor, mirrored, triangle))
+      triangles.pop_back();
   }
   return {.small = sets.small & drawn, .tiny = sets.tiny & drawn};
 }

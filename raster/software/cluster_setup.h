@@ -20,8 +20,9 @@ TriangleSets appendScreenTriangles(const DrawList& list, const ClusterMesh& mesh
                                    std::span<const std::uint32_t> skipped, PlacedVertices& placed,
                                    std::vector<ScreenTriangle>& triangles);
 
-/// Sets up the `t`th triangle of a cluster, which needs no clipping. Returns false if it covers no sample.
-bool makeScreenTriangle(const ClusterMesh& mesh, const Cluster& cluster, const ClusterPart& part, std::uint32_t t,
-                        const PlacedVertices& placed, const Scissor& scissor, bool mirrored, ScreenTriangle& triangle);
+/// Sets up the `t`th triangle of a cluster, which needs no clipping. Returns false if it covers no sample or is culled.
+bool makeScreenTriangle(const DrawList& list, const ClusterMesh& mesh, const Cluster& cluster, const ClusterPart& part,
+                        std::uint32_t t, const PlacedVertices& placed, const Scissor& scissor, bool mirrored,
+                        ScreenTriangle& triangle);
 
 }  // namespace hemitex::raster

@@ -6,10 +6,10 @@ namespace hemitex::raster {
 namespace {
 
 PreparedDrawList::MapTraits traitsOf(const IndexMap& map) {
-  PreparedDrawList::MapTraits traits{true, 0};
+  PreparedDrawList::MapTraits traits{true, 0, hasHoles(map)};
   for (std::size_t i = 0; i < map.ids.size(); ++i) {
     traits.countsTexels = traits.countsTexels && map.ids[i] == i;
-    traits.bits |= map.ids[i];
+    if (map.ids[i] != holeTexel) traits.bits |= map.ids[i];
   }
   return traits;
 }

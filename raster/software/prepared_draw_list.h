@@ -20,6 +20,7 @@ struct PreparedDrawList {
   struct MapTraits {
     bool countsTexels;  ///< holds 0, 1, 2, ..., so that texel numbers need no lookup
     ItemId bits;        ///< all bits that its item IDs set
+    bool hasHoles;
   };
   std::vector<MapTraits> maps;  ///< one per index map
 };

@@ -38,6 +38,7 @@ class Tile {
     memory.shadings.clear();
     memory.unresolved.pixels.clear();
     memory.run.resize(buffer_.pitch);
+    memory.runDepths.resize(buffer_.pitch);
   }
 
   /// Whether a box is outside the view or behind all that was drawn so far.
@@ -50,7 +51,9 @@ class Tile {
   void resolve();
 
  private:
+  void drawWithHoles(const Cluster& cluster, std::span<const std::uint32_t> skipped);
   void testDepths(const ScreenTriangle& triangle);
+  void testDepthsBesideHoles(const ScreenTriangle& triangle);
   void drawSmall(std::uint32_t number, const TriangleSets& sets);
   void drawAlone(std::uint32_t cluster, std::uint32_t t);
   SmallIds smallIds(const Cluster& cluster, const ClusterPart& part, std::uint32_t& alone);
@@ -61,6 +64,8 @@ class Tile {
 
   ItemId* idsOf(int row) const { return ids_ + static_cast<std::size_t>(row - buffer_.scissor.row) * pitch_; }
   ScreenTriangle screenTriangle(std::uint32_t number) const;
+  PixelRun coveredRun(const ScreenTriangle& triangle, int row);
+  bool testDepth(const ScreenTriangle& triangle, std::uint32_t number, const Pixel& pixel, double inverseDepth);
   bool testExactly(const ScreenTriangle& triangle, std::uint32_t number, const Pixel& pixel);
   ItemId idExactly(std::uint32_t number, const Pixel& pixel);
   Shading& shading(std::uint32_t triangle);
@@ -105,13 +110,23 @@ bool Tile::testExactly(const ScreenTriangle& triangle, std::uint32_t number, con
   return true;
 }
 
-void Tile::draw(std::uint32_t cluster, std::span<const std::uint32_t> skipped) {
+void Tile::draw(std::uint32_t number, std::span<const std::uint32_t> skipped) {
   memory_.triangles.clear();
-  const TriangleSets left =
-      appendScreenTriangles(draws_.list, draws_.mesh, draws_.clusters[cluster], draws_.mesh.parts[cluster], kernels_,
-                            face_, skipped, memory_.placed, memory_.triangles);
+  const Cluster& cluster = draws_.clusters[number];
+  if (cluster.indexMap && draws_.maps[static_cast<std::size_t>(*cluster.indexMap)].hasHoles)
+    return drawWithHoles(cluster, skipped);
+  const TriangleSets left = appendScreenTriangles(draws_.list, draws_.mesh, cluster, draws_.mesh.parts[number],
+                                                  kernels_, face_, skipped, memory_.placed, memory_.triangles);
   for (const ScreenTriangle& triangle : memory_.triangles) testDepths(triangle);
-  if (left.small != 0) drawSmall(cluster, left);
+  if (left.small != 0) drawSmall(number, left);
+}
+
+/// Draws a cluster whose index map has holes. Its small triangles are drawn like large ones, because the kernels of
+/// small triangles test depths before they find texels.
+void Tile::drawWithHoles(const Cluster& cluster, std::span<const std::uint32_t> skipped) {
+  appendScreenTriangles(draws_.list, face_, cluster.runs, skipped, memory_.triangles);
+  for (const ScreenTriangle& triangle : memory_.triangles)
+    draws_.list.draws[triangle.draw].indexMap ? testDepthsBesideHoles(triangle) : testDepths(triangle);
 }
 
 /// Tests a triangle against the depth buffer, and keeps it if a pixel took it.
@@ -123,16 +138,54 @@ void Tile::testDepths(const ScreenTriangle& triangle) {
   if (isTaken) taken_.push_back(triangle);
 }
 
+/// As testDepths, without the samples that meet a hole of the index map.
+void Tile::testDepthsBesideHoles(const ScreenTriangle& triangle) {
+  const IndexMap& map = mapOf(draws_.list, draws_.list.draws[triangle.draw]);
+  Shading::Texels texels{&map, false, false, TexelPlanes(triangle, map.width, map.height), {}};
+  const auto number = static_cast<std::uint32_t>(taken_.size());
+  bool isTaken = false;
+  for (int row = triangle.firstRow; row < triangle.endRow; ++row) {
+    const PixelRun run = coveredRun(triangle, row);
+    if (run.count == 0) continue;
+    findTexels(run, texels, 0, memory_.run.data());
+    for (int i = 0; i < run.count; ++i)
+      if (map.ids[memory_.run[static_cast<std::size_t>(i)]] != holeTexel)
+        isTaken = testDepth(triangle, number, {run.firstColumn + i, row}, run.inverseDepth[i]) || isTaken;
+  }
+  if (isTaken) taken_.push_back(triangle);
+}
+
+/// The samples of a row that a triangle covers, which are adjacent, with their depths.
+PixelRun Tile::coveredRun(const ScreenTriangle& triangle, int row) {
+  int first = triangle.firstColumn, end = triangle.endColumn;
+  while (first < end && !covers(triangle, first, row)) ++first;
+  while (first < end && !covers(triangle, end - 1, row)) --end;
+  double* const depths = memory_.runDepths.data();
+  for (int column = first; column < end; ++column)
+    depths[column - first] = inverseDepthAt(triangle, edgeValues(triangle, column, row));
+  return {&triangle, row, first, end - first, depths};
+}
+
+/// Tests the depth of one sample. Returns whether the pixel took the triangle.
+bool Tile::testDepth(const ScreenTriangle& triangle, std::uint32_t number, const Pixel& pixel, double inverseDepth) {
+  const std::size_t p = buffer_.pixelAt(pixel.column, pixel.row);
+  if (isUnresolved(inverseDepth, buffer_.inverseDepth[p])) return testExactly(triangle, number, pixel);
+  if (inverseDepth < buffer_.inverseDepth[p]) return false;
+  buffer_.inverseDepth[p] = inverseDepth;
+  buffer_.triangle[p] = number;
+  return true;
+}
+
 /// Draws a small triangle of a cluster like a large one.
 void Tile::drawAlone(std::uint32_t cluster, std::uint32_t t) {
   ScreenTriangle triangle;
-  if (makeScreenTriangle(draws_.mesh, draws_.clusters[cluster], draws_.mesh.parts[cluster], t, memory_.placed,
-                         face_.scissor, isMirrored_, triangle))
+  if (makeScreenTriangle(draws_.list, draws_.mesh, draws_.clusters[cluster], draws_.mesh.parts[cluster], t,
+                         memory_.placed, face_.scissor, isMirrored_, triangle))
     testDepths(triangle);
 }
 
 /// The item IDs of the small triangles of a cluster after setup. Those of texels that are no sum with the offset stay
-/// in `alone`, and have no rows to draw.
+/// in `alone`, and have no rows to draw. Culled triangles have none either.
 SmallIds Tile::smallIds(const Cluster& cluster, const ClusterPart& part, std::uint32_t& alone) {
   SmallSetup& setup = memory_.small;
   SmallIds ids;
@@ -147,7 +200,9 @@ SmallIds Tile::smallIds(const Cluster& cluster, const ClusterPart& part, std::ui
     const std::uint32_t inMesh = part.firstTriangle + static_cast<std::uint32_t>(setup.triangles[k]);
     const Draw& draw = draws_.list.draws[draws_.mesh.draws[inMesh]];
     const bool facesAway = ((setup.negative >> k & 1) != 0) == isMirrored_;
-    if (!draw.indexMap || (facesAway && draw.back) || (setup.uniform >> k & 1) != 0) {
+    if (isCulled(draw, facesAway)) {
+      setup.rows[k] = 0;
+    } else if (!draw.indexMap || (facesAway && draw.back) || (setup.uniform >> k & 1) != 0) {
       ids.ids[k] = idOf(draws_, draw, facesAway, static_cast<ItemId>(setup.texel[k]));
     } else if (const std::optional<ItemId> addend = addendOf(draws_, draw)) {
       ids.textured |= 1U << k;

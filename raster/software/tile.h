@@ -1,7 +1,8 @@
 /// Tiles: parts of a face that are drawn independently and fit into the second-level cache of a core. In a tile,
 /// triangles are set up and tested against the depth buffer, nearest clusters first. Then the item ID is computed once
 /// per visible pixel. Small triangles have few pixels each, so that their item IDs are written during the depth test,
-/// while their data is in registers.
+/// while their data is in registers. Triangles whose index maps have holes take a slower path: their texels are found
+/// before the depth test.
 #pragma once
 
 #include <cstddef>
@@ -29,6 +30,7 @@ struct TileMemory {
   std::vector<Shading> shadings;         ///< of triangles that are visible in the end
   std::vector<std::uint32_t> shadingOf;  ///< per taken triangle: its place in `shadings`, or noTriangle
   std::vector<ItemId> run;               ///< item IDs of a run; kernels write behind its end
+  std::vector<double> runDepths;         ///< 1/w of a run; kernels read behind its end
   UnresolvedPixels unresolved;
   PlacedVertices placed;                  ///< of the current cluster
   std::vector<ScreenTriangle> triangles;  ///< of the current cluster

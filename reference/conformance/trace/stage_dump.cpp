@@ -59,7 +59,7 @@ void addPieces(const raster::DrawList& list, const raster::Face& face, Stages& s
 
 void addPixels(const raster::DrawList& list, const raster::Face& face, Stages& stages) {
   const std::vector<raster::SnappedTriangle> triangles = raster::snappedTriangles(list, face);
-  const std::vector<raster::CoveredSample> visible = raster::visibleSamples(triangles, face.scissor);
+  const std::vector<raster::CoveredSample> visible = raster::visibleSamples(list, triangles, face.scissor);
   stages.triangles.resize(visible.size(), -1);
   stages.inverseDepths.resize(visible.size());
   stages.coordinates.resize(visible.size(), glm::dvec2(0.0));

@@ -87,6 +87,20 @@ TEST_CASE("validate rejects draws that can produce the background or more", "[dr
   CHECK(isValid([](DrawList& l) { l.draws[0].offset = 249; }));
 }
 
+TEST_CASE("validate accepts holes in index maps of any format and blend", "[draw_list]") {
+  for (const Blend blend : {Blend::ClampedAdd, Blend::IntegerAdd, Blend::Replace})
+    for (const std::vector<int>& bits : {std::vector{4, 4}, {8, 8, 8, 8}, {32}})
+      CHECK(isValid([&](DrawList& l) {
+        l.blend = blend;
+        l.format = {bits};
+        l.indexMaps[0].ids[3] = holeTexel;
+      }));
+  // Other values wider than the format stay errors.
+  CHECK_FALSE(isValid([](DrawList& l) { l.indexMaps[0].ids[3] = holeTexel - 1; }));
+  CHECK(hasHoles({2, 1, {0, holeTexel}}));
+  CHECK_FALSE(hasHoles({2, 1, {0, holeTexel - 1}}));
+}
+
 TEST_CASE("validate rejects draws whose integer sum can be the background", "[draw_list]") {
   const auto isOffset = [](ItemId offset) {
     return isValid([&](DrawList& l) { l.blend = Blend::IntegerAdd, l.draws[0].offset = offset; });

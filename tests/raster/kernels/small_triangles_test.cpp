@@ -226,8 +226,8 @@ TEST_CASE("Kernels::drawSmall shows the samples and texels of the screen triangl
         const std::uint32_t bit = 1U << t;
         if ((seen.sets.small & bit) == 0) continue;
         ScreenTriangle triangle;
-        const bool isEmpty =
-            !makeScreenTriangle(mesh, clusters[c], part, t, seen.placed, face.scissor, determinant(face) < 0, triangle);
+        const bool isEmpty = !makeScreenTriangle(list, mesh, clusters[c], part, t, seen.placed, face.scissor,
+                                                 determinant(face) < 0, triangle);
         for (const int columns : {7, 1})
           check({mesh, part, seen.placed, bit, seen.sets.tiny & bit, columns, 5}, face, triangle, isEmpty);
       }

@@ -40,13 +40,14 @@ DrawList manyDraws() {
 }
 
 /// Appends the small triangles as screen triangles and sorts all in draw order; returns the number of small ones.
-std::size_t setUpSmall(const ClusterMesh& mesh, const Cluster& cluster, const ClusterPart& part, std::uint32_t small,
-                       const PlacedVertices& placed, const Face& face, std::vector<ScreenTriangle>& triangles) {
+std::size_t setUpSmall(const DrawList& list, const ClusterMesh& mesh, const Cluster& cluster, const ClusterPart& part,
+                       std::uint32_t small, const PlacedVertices& placed, const Face& face,
+                       std::vector<ScreenTriangle>& triangles) {
   const std::size_t before = triangles.size();
   for (std::uint32_t t = 0; t < part.triangles; ++t) {
     ScreenTriangle triangle;
     if ((small >> t & 1) != 0 &&
-        makeScreenTriangle(mesh, cluster, part, t, placed, face.scissor, determinant(face) < 0, triangle))
+        makeScreenTriangle(list, mesh, cluster, part, t, placed, face.scissor, determinant(face) < 0, triangle))
       triangles.push_back(triangle);
   }
   std::stable_sort(triangles.begin(), triangles.end(), [](const ScreenTriangle& a, const ScreenTriangle& b) {
@@ -78,7 +79,7 @@ TEST_CASE("appendScreenTriangles of a cluster gives the screen triangles of its 
             const std::uint32_t smallOnes = appendScreenTriangles(list, mesh, clusters[c], mesh.parts[c], kernels, face,
                                                                   skipped, vertices, triangles)
                                                 .small;
-            small += setUpSmall(mesh, clusters[c], mesh.parts[c], smallOnes, vertices, face, triangles);
+            small += setUpSmall(list, mesh, clusters[c], mesh.parts[c], smallOnes, vertices, face, triangles);
             REQUIRE(triangles.size() == expected.size());
             for (std::size_t t = 0; t < expected.size(); ++t) CHECK(isSame(triangles[t], expected[t]));
           }
