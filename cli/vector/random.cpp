@@ -28,8 +28,9 @@ void writeRandom(const RandomOptions& options, const Context& context) {
 
 std::string familyNames() {
   std::string names;
-  for (const reference::RandomFamily& family : reference::randomFamilies())
-    names += (names.empty() ? "" : ", ") + std::string(family.name);
+  for (const auto& families : {reference::randomFamilies(), reference::newRandomFamilies()})
+    for (const reference::RandomFamily& family : families)
+      names += (names.empty() ? "" : ", ") + std::string(family.name);
   return names;
 }
 
@@ -43,8 +44,8 @@ void addVectorRandom(Command vector, Context& context) {
                         "on every machine");
   addInteger(command, "--seed", options->seed, 0, std::numeric_limits<int>::max(), "first seed").required();
   addInteger(command, "--count", options->count, 1, 1000000, "number of vectors").required();
-  command.addText("--family", "NAME", "family with ascending seeds (default: all in turn): " + familyNames(),
-                  options->family);
+  command.addText("--family", "NAME",
+                  "family with ascending seeds (default: all of version 1 in turn): " + familyNames(), options->family);
   addOutput(command, options->output, "folder for the vectors");
   command.addExamples({"--seed 1 --count 10 -o random", "--seed 7 --count 1 --family slivers -o random"});
   command.onRead([options, &context] { context.command = [options, &context] { writeRandom(*options, context); }; });

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <map>
 
-#include "raster/plain/plain_renderer.h"
 #include "reference/conformance/trace/fragments.h"
 
 namespace hemitex::reference {
@@ -54,13 +53,23 @@ glm::dvec2 held(const glm::dvec2& coordinates) {
   return {hold(coordinates.x), hold(coordinates.y)};
 }
 
-ItemId shade(const StagedDevice& device, const raster::DrawList& list, const SnappedTriangle& triangle, Facing facing,
-             const raster::SnappedPoint& position) {
+/// A list on the device. Without holes in its index maps, a fetched value that means a hole discards nothing.
+struct UploadedList {
+  const raster::DrawList& list;
+  bool hasHoles = std::any_of(list.indexMaps.begin(), list.indexMaps.end(), raster::hasHoles);
+};
+
+/// The item ID of a fragment; nothing where it is discarded.
+std::optional<ItemId> shade(const StagedDevice& device, const UploadedList& uploaded, const SnappedTriangle& triangle,
+                            Facing facing, const raster::SnappedPoint& position) {
+  const raster::DrawList& list = uploaded.list;
   const raster::Draw& draw = list.draws[triangle.draw];
-  if (facing == Facing::Back && draw.back) return *draw.back;
-  if (!draw.indexMap) return draw.offset;
+  const bool showsBack = facing == Facing::Back && draw.back;
+  if (!draw.indexMap || (showsBack && !uploaded.hasHoles)) return showsBack ? *draw.back : draw.offset;
   const Lookup lookup{triangle, position, held(device.interpolate(triangle, position))};
-  return device.blend(list, draw.offset, device.fetch(list, static_cast<std::size_t>(*draw.indexMap), lookup));
+  const ItemId texel = device.fetch(list, static_cast<std::size_t>(*draw.indexMap), lookup);
+  if (uploaded.hasHoles && texel == raster::holeTexel) return {};
+  return showsBack ? *draw.back : device.blend(list, draw.offset, texel);
 }
 
 /// A sample of the target.
@@ -70,7 +79,7 @@ struct Sample {
 };
 
 /// Draws a triangle into the samples of the view's scissor rectangle.
-void drawTriangle(const StagedDevice& device, const raster::DrawList& list, const raster::Face& view,
+void drawTriangle(const StagedDevice& device, const UploadedList& uploaded, const raster::Face& view,
                   const SnappedTriangle& triangle, std::vector<Sample>& target) {
   const raster::Scissor& scissor = view.scissor;
   const std::int64_t unit = device.geometry ? device.geometry->fineness : 1, pixelSize = 256 * unit;
@@ -79,7 +88,7 @@ void drawTriangle(const StagedDevice& device, const raster::DrawList& list, cons
   const raster::PixelRange rows = pixelsBetween(a.y, b.y, c.y, pixelSize, scissor.row, scissor.height);
   if (columns.first >= columns.end || rows.first >= rows.end) return;
   const Facing facing = device.facing(triangle.facesAway ? Facing::Back : Facing::Front, view);
-  if (facing == Facing::Culled) return;
+  if (facing == Facing::Culled || isCulled(uploaded.list.draws[triangle.draw], facing == Facing::Back)) return;
   for (int row = rows.first; row < rows.end; ++row)
     for (int column = columns.first; column < columns.end; ++column) {
       const auto inPixel = [&](const raster::SnappedPoint& p) {
@@ -93,14 +102,15 @@ void drawTriangle(const StagedDevice& device, const raster::DrawList& list, cons
         const double depth =
             device.depth(coveredSample(triangle, weights).inverseDepth, static_cast<double>(view.nearDistance));
         if (sample.depth && !device.passes(depth, *sample.depth)) continue;
-        sample = {depth, device.store(sample.id, shade(device, list, triangle, facing, inPixel(device.shadingSample)))};
+        if (const auto id = shade(device, uploaded, triangle, facing, inPixel(device.shadingSample)))
+          sample = {depth, device.store(sample.id, *id)};
       }
     }
 }
 
 std::vector<SnappedTriangle> placeFace(const StagedDevice& device, const raster::DrawList& list,
                                        const raster::Face& view) {
-  return device.geometry ? placeBy(*device.geometry, list, view) : raster::snappedTriangles(list, view);
+  return placeBy(device.geometry.value_or(StagedGeometry{}), list, view);
 }
 
 bool isSameView(const raster::Face& a, const raster::Face& b) {
@@ -129,19 +139,19 @@ raster::Face viewOf(const StagedDevice& device, const std::vector<raster::Face>&
 using KeptDepths = std::map<std::array<int, 3>, double>;
 
 /// Draws the pixels of the view's scissor rectangle. `kept` is the memory of a device that keeps depths.
-raster::ItemBuffer drawFace(const StagedDevice& device, const raster::DrawList& list, const raster::Face& view,
+raster::ItemBuffer drawFace(const StagedDevice& device, const UploadedList& uploaded, const raster::Face& view,
                             const std::vector<SnappedTriangle>& triangles, KeptDepths& kept) {
   raster::ItemBuffer buffer;
   buffer.resize(view.scissor);
   const std::size_t perPixel = device.samples.size();
-  std::vector<Sample> target(buffer.ids.size() * perPixel, {{}, raster::backgroundId(list.format)});
+  std::vector<Sample> target(buffer.ids.size() * perPixel, {{}, raster::backgroundId(uploaded.list.format)});
   const auto placeOf = [&](std::size_t sample) {
     const glm::ivec2 pixel = pixelAt(view.scissor, sample / perPixel);
     return std::array{pixel.x, pixel.y, static_cast<int>(sample % perPixel)};
   };
   for (std::size_t s = 0; s < target.size() && !kept.empty(); ++s)
     if (const auto place = kept.find(placeOf(s)); place != kept.end()) target[s].depth = place->second;
-  for (const SnappedTriangle& triangle : triangles) drawTriangle(device, list, view, triangle, target);
+  for (const SnappedTriangle& triangle : triangles) drawTriangle(device, uploaded, view, triangle, target);
   for (std::size_t s = 0; s < target.size() && device.keepsDepth; ++s)
     if (target[s].depth) kept[placeOf(s)] = *target[s].depth;
   std::vector<ItemId> ids(perPixel);
@@ -180,10 +190,11 @@ StagedDevice withReadBack(const ReadBack& readBack) {
 PlacedVector placeVector(const TestVector& vector) {
   PlacedVector placed{vector.list, facesOf(vector), {}, {}};
   const StagedDevice device;
+  const UploadedList uploaded{vector.list};
   KeptDepths kept;
   for (const VectorFace& face : vector.faces) {
     placed.triangles.push_back(placeFace(device, vector.list, face.face));
-    placed.buffers.push_back(drawFace(device, vector.list, face.face, placed.triangles.back(), kept));
+    placed.buffers.push_back(drawFace(device, uploaded, face.face, placed.triangles.back(), kept));
   }
   return placed;
 }
@@ -194,6 +205,7 @@ void drawOn(const StagedDevice& device, const PlacedVector& placed,
   raster::DrawList changed;
   if (device.upload) device.upload(changed = placed.list);
   const raster::DrawList& list = device.upload ? changed : placed.list;
+  const UploadedList uploaded{list};
   const bool isSameMesh = !device.geometry && (!device.upload || haveSameTriangles(list, placed.list));
   KeptDepths kept;
   for (std::size_t f = 0; f < placed.faces.size(); ++f) {
@@ -204,7 +216,7 @@ void drawOn(const StagedDevice& device, const PlacedVector& placed,
     const std::vector<SnappedTriangle>& triangles = isPlaced ? placed.triangles[f] : moved;
     if (device.readBack) {
       raster::ItemBuffer buffer =
-          device.isDrawnByRules ? placed.buffers[f] : drawFace(device, list, view, triangles, kept);
+          device.isDrawnByRules ? placed.buffers[f] : drawFace(device, uploaded, view, triangles, kept);
       device.readBack(view, buffer);
       if (!wantsMore(buffer)) return;
       continue;
@@ -212,7 +224,7 @@ void drawOn(const StagedDevice& device, const PlacedVector& placed,
     const int endRow = view.scissor.row + view.scissor.height;
     for (; view.scissor.row < endRow; view.scissor.row += stripRows) {
       view.scissor.height = std::min(stripRows, endRow - view.scissor.row);
-      if (!wantsMore(drawFace(device, list, view, triangles, kept))) return;
+      if (!wantsMore(drawFace(device, uploaded, view, triangles, kept))) return;
     }
   }
 }

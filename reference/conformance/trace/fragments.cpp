@@ -33,7 +33,9 @@ std::vector<Fragment> fragmentsAt(const raster::DrawList& list, std::span<const 
   std::vector<raster::CoveredSample> covered;
   for (const raster::SnappedTriangle& triangle : triangles) {
     const raster::Weights weights = weightsAt(triangle, raster::sampleOf(column, row));
-    if (covers(triangle, weights)) covered.push_back(coveredSample(triangle, weights));
+    if (!covers(triangle, weights)) continue;
+    const raster::CoveredSample sample = coveredSample(triangle, weights);
+    if (!isHole(list, sample)) covered.push_back(sample);
   }
   std::stable_sort(covered.begin(), covered.end(), raster::isNearer);
   std::vector<Fragment> fragments;

@@ -1,5 +1,5 @@
-/// The fragments at one pixel by the raster rules: every triangle that covers its sample, from the visible one
-/// backwards. They explain an item ID; raster::SoftwareRenderer draws whole item buffers.
+/// The fragments at one pixel by the raster rules: every triangle that covers its sample and has no hole there, from
+/// the visible one backwards. They explain an item ID; raster::SoftwareRenderer draws whole item buffers.
 #pragma once
 
 #include <cstdint>

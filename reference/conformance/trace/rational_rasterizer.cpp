@@ -70,6 +70,7 @@ struct Triangle {
   std::array<Point, 3> snapped;
   std::int64_t area;  ///< doubled, signed
   bool isBack;
+  bool hasHoles;  ///< in its index map
 };
 
 /// The sign of the area that `sample`, moved by (epsilon, epsilon^2), spans with the edge from a to b.
@@ -127,15 +128,20 @@ raster::ItemId blend(const raster::DrawList& list, raster::ItemId offset, raster
   return result;
 }
 
+/// The value of the index map of a triangle that has one.
+raster::ItemId fetch(const raster::DrawList& list, const Triangle& triangle, const Point& sample) {
+  const raster::IndexMap& map = list.indexMaps[static_cast<std::size_t>(*triangle.draw->indexMap)];
+  const std::array<Rational, 3> weights = weightsOverDepth(triangle, sample);
+  const int column = texel(triangle, weights, U, map.width);
+  const int row = texel(triangle, weights, V, map.height);
+  return map.ids[static_cast<std::size_t>(row * map.width + column)];
+}
+
 raster::ItemId idAt(const raster::DrawList& list, const Triangle& triangle, const Point& sample) {
   const raster::Draw& draw = *triangle.draw;
   if (triangle.isBack && draw.back) return *draw.back;
   if (!draw.indexMap) return draw.offset;
-  const raster::IndexMap& map = list.indexMaps[static_cast<std::size_t>(*draw.indexMap)];
-  const std::array<Rational, 3> weights = weightsOverDepth(triangle, sample);
-  const int column = texel(triangle, weights, U, map.width);
-  const int row = texel(triangle, weights, V, map.height);
-  return blend(list, draw.offset, map.ids[static_cast<std::size_t>(row * map.width + column)]);
+  return blend(list, draw.offset, fetch(list, triangle, sample));
 }
 
 /// The item ID of the nearest triangle that covers a sample.
@@ -144,6 +150,7 @@ raster::ItemId idAt(const raster::DrawList& list, const std::vector<Triangle>& t
   std::optional<Rational> nearestInverseDepth;  // known once two triangles compete
   for (const Triangle& triangle : triangles) {
     if (!isCovered(triangle, sample)) continue;
+    if (triangle.hasHoles && fetch(list, triangle, sample) == 0xFFFFFFFF) continue;
     if (nearest != nullptr) {
       if (!nearestInverseDepth) nearestInverseDepth = sum(weightsOverDepth(*nearest, sample));
       const Rational inverseDepth = sum(weightsOverDepth(triangle, sample));
@@ -159,11 +166,16 @@ bool isFinite(const Attributes& p) {
   return std::all_of(p.begin(), p.end(), [](double value) { return std::isfinite(value); });
 }
 
-/// The triangles of all draws after clipping and snapping, in draw order.
+bool isCulled(const raster::Draw& draw, bool isBack) {
+  return isBack ? draw.cull == raster::Cull::Back : draw.cull == raster::Cull::Front;
+}
+
+/// The triangles of all draws after clipping, snapping and culling, in draw order.
 std::vector<Triangle> trianglesOf(const raster::DrawList& list, const raster::Face& face,
                                   std::span<const std::uint32_t> skipped) {
   std::vector<Triangle> triangles;
-  for (const raster::Draw& draw : list.draws)
+  for (const raster::Draw& draw : list.draws) {
+    const bool hasHoles = draw.indexMap && raster::hasHoles(list.indexMaps[static_cast<std::size_t>(*draw.indexMap)]);
     for (std::uint32_t first = draw.first; first < draw.first + draw.count; first += 3) {
       if (std::find(skipped.begin(), skipped.end(), first / 3) != skipped.end()) continue;
       std::vector<Attributes> polygon;
@@ -172,13 +184,14 @@ std::vector<Triangle> trianglesOf(const raster::DrawList& list, const raster::Fa
       if (!std::all_of(polygon.begin(), polygon.end(), isFinite)) continue;
       polygon = clip(polygon, face.nearDistance);
       for (std::size_t k = 2; k < polygon.size(); ++k) {
-        Triangle triangle{&draw, {polygon[0], polygon[k - 1], polygon[k]}, {}, 0, false};
+        Triangle triangle{&draw, {polygon[0], polygon[k - 1], polygon[k]}, {}, 0, false, hasHoles};
         for (std::size_t c = 0; c < 3; ++c) triangle.snapped[c] = snap(triangle.vertices[c], face.resolution);
         triangle.area = cross(triangle.snapped[1] - triangle.snapped[0], triangle.snapped[2] - triangle.snapped[0]);
         triangle.isBack = sign(triangle.area) == (raster::determinant(face) > 0 ? 1 : -1);
-        if (triangle.area != 0) triangles.push_back(triangle);
+        if (triangle.area != 0 && !isCulled(draw, triangle.isBack)) triangles.push_back(triangle);
       }
     }
+  }
   return triangles;
 }
 

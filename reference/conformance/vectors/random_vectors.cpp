@@ -441,6 +441,48 @@ Drawing alignedIds(Random& random) {
       random, format, raster::Blend::ClampedAdd, [&] { return texel++; }, offset);
 }
 
+// --- version 2: holes and culling ---
+
+/// Makes a third of all texels holes.
+void punch(Drawing& drawing, Random& random) {
+  for (raster::IndexMap& map : drawing.list.indexMaps)
+    for (ItemId& texel : map.ids)
+      if (random.isOneIn(3)) texel = raster::holeTexel;
+}
+
+/// Holes in the maps of other families: at equal depths, on texel borders, in clipped triangles, on backs.
+Drawing holes(Random& random) {
+  const auto family = random.oneOf({generic, slivers, nearPlane, depthTies, equalDepths, texelBorders, minifiedMaps,
+                                    constantCoordinates, facing, views, channelSums, integerSums, replacedIds});
+  Drawing drawing = family(random);
+  punch(drawing, random);
+  return drawing;
+}
+
+/// Draws of other families that cull.
+Drawing culledSides(Random& random) {
+  const auto family = random.oneOf({generic, slivers, sampleTies, nearPlane, guardBand, equalDepths, facing, views});
+  Drawing drawing = family(random);
+  for (raster::Draw& draw : drawing.list.draws)
+    draw.cull = random.oneOf({raster::Cull::None, raster::Cull::Front, raster::Cull::Back});
+  return drawing;
+}
+
+/// Sheets with a draw for each side, which culls backs. Both sides have holes of their own, and equal depths.
+Drawing twoSided(Random& random) {
+  Drawing drawing = emptyDrawing(anyCountingMap(random));
+  for (int k = 0; k < 4; ++k) {
+    const Corners p = anyCorners(random);
+    add(drawing, random, p);
+    add(drawing, random, {p[0], p[2], p[1]});
+  }
+  for (raster::Draw& draw : drawing.list.draws) draw.cull = raster::Cull::Back;
+  punch(drawing, random);
+  drawing.faces.push_back(drawing.faces[0]);
+  drawing.faces[1].x = -drawing.faces[1].x;
+  return drawing;
+}
+
 TestVector makeRandom(std::uint64_t seed, const RandomFamily& family) {
   Random random(seed);
   Drawing drawing = family.make(random);
@@ -478,12 +520,21 @@ const std::vector<RandomFamily>& randomFamilies() {
   return families;
 }
 
+const std::vector<RandomFamily>& newRandomFamilies() {
+  static const std::vector<RandomFamily> families{
+      {"holes", "holes that hide what is behind them, or that are filled", holes},
+      {"culled-sides", "culled triangles that are drawn, and the wrong side culled", culledSides},
+      {"two-sided", "a side in the place of its other side", twoSided}};
+  return families;
+}
+
 TestVector randomVector(std::uint64_t seed, const std::string& family) {
   std::string names;
-  for (const RandomFamily& each : randomFamilies()) {
-    if (each.name == family) return makeRandom(seed, each);
-    names += (names.empty() ? "" : ", ") + std::string(each.name);
-  }
+  for (const auto& families : {randomFamilies(), newRandomFamilies()})
+    for (const RandomFamily& each : families) {
+      if (each.name == family) return makeRandom(seed, each);
+      names += (names.empty() ? "" : ", ") + std::string(each.name);
+    }
   throw raster::InputError("no family of random vectors is named \"" + family + "\"", "use one of " + names);
 }
 

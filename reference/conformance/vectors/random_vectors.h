@@ -55,14 +55,16 @@ struct RandomFamily {
   Drawing (*make)(Random&);
 };
 
-/// All families, in a fixed order, with unique names.
+/// All families of version 1 of the rules, in a fixed order, with unique names.
 const std::vector<RandomFamily>& randomFamilies();
+/// Those of version 2, with holes and culling.
+const std::vector<RandomFamily>& newRandomFamilies();
 
 /// The vector of a seed, with the name FAMILY-SEED. Throws InputError with all names for an unknown family.
 TestVector randomVector(std::uint64_t seed, const std::string& family);
 
-/// Vector `index` of an endless sequence through all families: one vector of each with `seed`, then with `seed` + 1,
-/// and so on.
+/// Vector `index` of an endless sequence through all families of version 1: one vector of each with `seed`, then with
+/// `seed` + 1, and so on.
 TestVector interleavedRandomVector(std::uint64_t seed, std::uint64_t index);
 
 }  // namespace hemitex::reference

@@ -1,5 +1,6 @@
 #include "reference/conformance/vectors/vector_file.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -25,7 +26,7 @@ using Json = nlohmann::ordered_json;
 using raster::InputError;
 namespace filesystem = std::filesystem;
 
-constexpr int rulesVersion = 1;
+constexpr int newestRules = 2;
 
 // --- JSON to values; every error names the key ---
 
@@ -98,6 +99,17 @@ constexpr std::array<Named<raster::Blend>, 3> blendNames{{{raster::Blend::Clampe
                                                           {raster::Blend::IntegerAdd, "integer-add"},
                                                           {raster::Blend::Replace, "replace"}}};
 
+constexpr std::array<Named<raster::Cull>, 3> cullNames{
+    {{raster::Cull::None, "none"}, {raster::Cull::Front, "front"}, {raster::Cull::Back, "back"}}};
+
+/// The first version of the rules that has all that a list uses.
+int rulesOf(const raster::DrawList& list) {
+  const auto culls = [](const raster::Draw& draw) { return draw.cull != raster::Cull::None; };
+  const bool isNew = std::any_of(list.indexMaps.begin(), list.indexMaps.end(), raster::hasHoles) ||
+                     std::any_of(list.draws.begin(), list.draws.end(), culls);
+  return isNew ? 2 : 1;
+}
+
 // --- reading ---
 
 /// The vectors of a file, one per vertex.
@@ -134,6 +146,7 @@ raster::Draw readDraw(const Json& json, MapFiles& files, std::vector<raster::Ind
   draw.count = id(at(json, "count"), "count");
   draw.offset = id(at(json, "offset"), "offset");
   draw.back = toOptional(json, "back", id);
+  draw.cull = valueOf(cullNames, toOptional(json, "cull", toText).value_or("none"), "cull");
   if (const auto file = toOptional(json, "index_map", toFileName)) {
     const auto side = [&](const std::string& key) { return static_cast<int>(toInteger(at(json, key), key, 1, 65536)); };
     draw.indexMap = findMap(files, maps, *file, side("width"), side("height"));
@@ -164,7 +177,7 @@ VectorFace readFace(const Json& vector, const Json& json) {
 }
 
 TestVector readJson(const filesystem::path& folder, const Json& json) {
-  toInteger(at(json, "rules"), "rules", rulesVersion, rulesVersion);
+  const std::int64_t rules = toInteger(at(json, "rules"), "rules", 1, newestRules);
   TestVector vector;
   vector.name = toText(at(json, "name"), "name");
   vector.catches = toOptional(json, "catches", toText).value_or("");
@@ -183,6 +196,9 @@ TestVector readJson(const filesystem::path& folder, const Json& json) {
   for (const Json& draw : toList(at(json, "draws"), "draws"))
     list.draws.push_back(readDraw(draw, mapFiles, list.indexMaps));
   raster::validate(list);
+  if (rulesOf(list) > rules)
+    throw InputError("a draw culls, or an index map has a hole (4294967295), which \"rules\": 1 does not know",
+                     "write \"rules\": 2");
   const std::int64_t background = raster::backgroundId(list.format);
   toInteger(at(json, "background"), "background", background, background);
 
@@ -232,6 +248,7 @@ std::string mapFileName(const raster::IndexMap& map, std::size_t index) {
 Json toJson(const raster::DrawList& list, const raster::Draw& draw) {
   Json json{{"first", draw.first}, {"count", draw.count}, {"offset", draw.offset}};
   json["back"] = draw.back ? Json(*draw.back) : Json();
+  if (draw.cull != raster::Cull::None) json["cull"] = nameOf(cullNames, draw.cull);
   json["index_map"] = nullptr;
   if (draw.indexMap) {
     const auto index = static_cast<std::size_t>(*draw.indexMap);
@@ -280,7 +297,7 @@ void writeVector(const filesystem::path& folder, const TestVector& vector,
                  std::span<const raster::ItemBuffer> buffers) {
   const raster::DrawList& list = vector.list;
   const raster::Face& first = vector.faces.front().face;
-  Json json{{"rules", rulesVersion},
+  Json json{{"rules", rulesOf(list)},
             {"name", vector.name},
             {"origin", {vector.origin.x, vector.origin.y, vector.origin.z}},
             {"resolution", first.resolution},

@@ -1,5 +1,5 @@
-/// Test vectors, version 1 (raster rules): a draw list, its faces and their item buffers by the rules, in a folder that
-/// any language can read. The author of a backend draws the list and compares item IDs.
+/// Test vectors, versions 1 and 2 (raster rules): a draw list, its faces and their item buffers by the rules, in a
+/// folder that any language can read. The author of a backend draws the list and compares item IDs.
 #pragma once
 
 #include <filesystem>
@@ -49,7 +49,7 @@ TestVector readVector(const std::filesystem::path& folder);
 
 /// Writes the vector into `folder`, which exists. `buffers` holds one item buffer per face, or none. It writes the item
 /// ID files and hashes of given buffers; without buffers, hashes are empty. Throws InputError for a file that cannot be
-/// written.
+/// written. A vector without holes and culling is written in version 1.
 void writeVector(const std::filesystem::path& folder, const TestVector& vector,
                  std::span<const raster::ItemBuffer> buffers);
 

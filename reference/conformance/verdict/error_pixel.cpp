@@ -28,7 +28,7 @@ std::optional<IdOrigin> originIn(const raster::DrawList& list, std::uint32_t num
   if (!draw.indexMap && draw.offset == id) return IdOrigin{IdOrigin::Kind::Offset, number, {}};
   if (!draw.indexMap) return {};
   const ItemId behind = texelUnder(list, draw.offset, id);
-  if (raster::blend(list.format, list.blend, draw.offset, behind) != id) return {};
+  if (behind == raster::holeTexel || raster::blend(list.format, list.blend, draw.offset, behind) != id) return {};
   const std::optional<Texel> texel = findTexel(list.indexMaps[static_cast<std::size_t>(*draw.indexMap)], behind);
   if (!texel) return {};
   return IdOrigin{IdOrigin::Kind::Texel, number, *texel};

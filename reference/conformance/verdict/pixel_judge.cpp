@@ -3,34 +3,101 @@
 #include <algorithm>
 #include <boost/pending/disjoint_sets.hpp>
 #include <cmath>
+#include <functional>
 #include <tuple>
+#include <utility>
 
 namespace hemitex::reference {
 namespace {
 
 using raster::ItemId;
 
-/// A triangle that may cover the sample.
+/// A triangle that may cover the sample, and be no hole there.
 struct Candidate {
   const DeviceTriangle* triangle;
   Region region;
   raster::CoveredSample covered;  ///< by the rules; none where they do not cover the sample
+  bool mayVanish = false;         ///< a device may cull it, or find a hole
 
   bool covers() const { return covered.triangle; }
   double nearest() const { return triangle->depthSlack < 1 ? region.nearest / (1 - triangle->depthSlack) : HUGE_VAL; }
   double farthest() const { return region.farthest / (1 + triangle->depthSlack); }
 };
 
+const raster::Draw& drawOf(const JudgedFace& face, const DeviceTriangle& triangle) {
+  return face.list.draws[triangle.draw];
+}
+
+// --- texels of a triangle ---
+
+/// Texels [first, last] of a map's side.
+struct TexelRange {
+  std::size_t first, last;
+};
+
+TexelRange texelRange(const JudgedFace& face, const Candidate& candidate, int axis, int size) {
+  const std::array<raster::ViewVertex, 3>& vertices = candidate.triangle->vertices;
+  const auto coordinate = [axis](const raster::ViewVertex& v) { return axis == 0 ? v.u : v.v; };
+  const auto [low, high] = std::minmax({coordinate(vertices[0]), coordinate(vertices[1]), coordinate(vertices[2])});
+  // u is the average of the vertices' u with weights b/w. If w is off by a factor from 1 - e to 1 + e, the ratio of two
+  // weights changes by a factor of at most r = (1 + e)/(1 - e). A normalized weight p then becomes at most
+  // p r / (p r + 1 - p). The increase is at most (sqrt(r) - 1)/(sqrt(r) + 1) = e/(1 + sqrt(1 - e^2)), and u changes by
+  // at most this fraction of its range.
+  const double slack = std::min(candidate.triangle->depthSlack, 1.0);
+  const double drift = slack / (1 + std::sqrt(1 - slack * slack)) * (high - low);
+  const DeviceTriangle& triangle = *candidate.triangle;
+  const double error =
+      texelError(face.profile, size, triangle.largest[axis], triangle.nearestDepth, candidate.region.farthest);
+  return {texelAt((candidate.region.low[axis] - drift) * size - error, size),
+          texelAt((candidate.region.high[axis] + drift) * size + error, size)};
+}
+
+/// Whether a device may find a texel in the index map of the triangle's draw that `matches` accepts.
+template <typename Matches>
+bool mayFindTexel(const JudgedFace& face, const Candidate& candidate, const Matches& matches) {
+  const raster::IndexMap& map = mapOf(face.list, drawOf(face, *candidate.triangle));
+  const TexelRange columns = texelRange(face, candidate, 0, map.width);
+  const TexelRange rows = texelRange(face, candidate, 1, map.height);
+  for (std::size_t row = rows.first; row <= rows.last; ++row)
+    for (std::size_t column = columns.first; column <= columns.last; ++column)
+      if (matches(map.ids[row * static_cast<std::size_t>(map.width) + column])) return true;
+  return false;
+}
+
+bool isHoleTexel(ItemId texel) { return texel == raster::holeTexel; }
+
+bool mapHasHoles(const JudgedFace& face, const DeviceTriangle& triangle) {
+  const std::optional<int> map = drawOf(face, triangle).indexMap;
+  return map && face.hasHoles[static_cast<std::size_t>(*map)];
+}
+
+bool mayMeetHole(const JudgedFace& face, const Candidate& candidate) {
+  return mapHasHoles(face, *candidate.triangle) && mayFindTexel(face, candidate, isHoleTexel);
+}
+
+// --- candidates ---
+
+/// The part of a triangle that the rules show at a sample, if they do.
+raster::CoveredSample coveredBy(const JudgedFace& face, const DeviceTriangle& triangle,
+                                const raster::SnappedPoint& sample) {
+  const raster::Weights weights = weightsAt(triangle, sample);
+  if (triangle.area == 0 || isCulled(drawOf(face, triangle), triangle.facesAway) || !raster::covers(triangle, weights))
+    return {};
+  const raster::CoveredSample covered = coveredSample(triangle, weights);
+  return mapHasHoles(face, triangle) && isHole(face.list, covered) ? raster::CoveredSample{} : covered;
+}
+
 std::vector<Candidate> candidatesAt(const JudgedFace& face, std::span<const DeviceTriangle* const> triangles,
                                     const raster::SnappedPoint& sample) {
   std::vector<Candidate> candidates;
-  for (const DeviceTriangle* triangle : triangles)
-    if (const auto region = regionAt(*triangle, {sample.x, sample.y}, face.profile.edgeRule)) {
-      candidates.push_back({triangle, *region, {}});
-      const raster::Weights weights = weightsAt(*triangle, sample);
-      if (triangle->area != 0 && raster::covers(*triangle, weights))
-        candidates.back().covered = coveredSample(*triangle, weights);
-    }
+  for (const DeviceTriangle* triangle : triangles) {
+    const raster::Draw& draw = drawOf(face, *triangle);
+    if (isCulled(draw, triangle->facesAway) && !triangle->mayFlip) continue;
+    const auto region = regionAt(*triangle, {sample.x, sample.y}, face.profile.edgeRule);
+    if (!region) continue;
+    Candidate& candidate = candidates.emplace_back(Candidate{triangle, *region, coveredBy(face, *triangle, sample)});
+    candidate.mayVanish = (draw.cull != raster::Cull::None && triangle->mayFlip) || mayMeetHole(face, candidate);
+  }
   return candidates;
 }
 
@@ -55,7 +122,7 @@ std::vector<PassingEdge> passingEdges(const JudgedFace& face, const std::vector<
   for (std::size_t c = 0; c < candidates.size(); ++c)
     for (std::size_t k = 0; k < 3; ++k) {
       const DeviceTriangle& triangle = *candidates[c].triangle;
-      if (!edgeMayPass(triangle, k, sample, face.profile.edgeRule)) continue;
+      if (candidates[c].mayVanish || !edgeMayPass(triangle, k, sample, face.profile.edgeRule)) continue;
       const Corner from = cornerOf(triangle.vertices[k]), to = cornerOf(triangle.vertices[(k + 1) % 3]);
       edges.push_back({std::min(from, to), std::max(from, to), from < to ? 1 : -1, c});
     }
@@ -76,7 +143,8 @@ struct Sheet {
 ///
 /// Triangles joined along shared edges move as one mesh. Edges that occur equally often in both directions cancel, and
 /// the rest is the boundary of the mesh. While no boundary edge passes over the sample, the winding number of the mesh
-/// around it stays the same. Where it is not zero, some triangle of the mesh covers the sample.
+/// around it stays the same. Where it is not zero, some triangle of the mesh covers the sample. Triangles that a device
+/// may cull, or show a hole of, belong to no mesh.
 double certainDepth(const JudgedFace& face, const std::vector<Candidate>& candidates, const glm::dvec2& sample) {
   const std::vector<PassingEdge> edges = passingEdges(face, candidates, sample);
   boost::disjoint_sets_with_storage<> groups(candidates.size());  // candidates that share edges
@@ -91,6 +159,7 @@ double certainDepth(const JudgedFace& face, const std::vector<Candidate>& candid
   }
   std::vector<Sheet> sheets(candidates.size());
   for (std::size_t c = 0; c < candidates.size(); ++c) {
+    if (candidates[c].mayVanish) continue;
     Sheet& sheet = sheets[groups.find_set(c)];
     if (candidates[c].covers()) sheet.winding += candidates[c].triangle->area > 0 ? 1 : -1;
     // The near plane may clip the part in front of it.
@@ -105,47 +174,22 @@ double certainDepth(const JudgedFace& face, const std::vector<Candidate>& candid
 
 // --- possible item IDs of a triangle ---
 
-/// Texels [first, last] of a map's side.
-struct TexelRange {
-  std::size_t first, last;
-};
-
-TexelRange texelRange(const JudgedFace& face, const Candidate& candidate, int axis, int size) {
-  const std::array<raster::ViewVertex, 3>& vertices = candidate.triangle->vertices;
-  const auto coordinate = [axis](const raster::ViewVertex& v) { return axis == 0 ? v.u : v.v; };
-  const auto [low, high] = std::minmax({coordinate(vertices[0]), coordinate(vertices[1]), coordinate(vertices[2])});
-  // u is the average of the vertices' u with weights b/w. If w is off by a factor from 1 - e to 1 + e, the ratio of two
-  // weights changes by a factor of at most r = (1 + e)/(1 - e). A normalized weight p then becomes at most
-  // p r / (p r + 1 - p). The increase is at most (sqrt(r) - 1)/(sqrt(r) + 1) = e/(1 + sqrt(1 - e^2)), and u changes by
-  // at most this fraction of its range.
-  const double slack = std::min(candidate.triangle->depthSlack, 1.0);
-  const double drift = slack / (1 + std::sqrt(1 - slack * slack)) * (high - low);
-  const DeviceTriangle& triangle = *candidate.triangle;
-  const double error =
-      texelError(face.profile, size, triangle.largest[axis], triangle.nearestDepth, candidate.region.farthest);
-  return {texelAt((candidate.region.low[axis] - drift) * size - error, size),
-          texelAt((candidate.region.high[axis] + drift) * size + error, size)};
-}
-
-bool mayGiveTexel(const JudgedFace& face, const Candidate& candidate, const raster::IndexMap& map, ItemId offset,
-                  ItemId id) {
-  const TexelRange columns = texelRange(face, candidate, 0, map.width);
-  const TexelRange rows = texelRange(face, candidate, 1, map.height);
-  for (std::size_t row = rows.first; row <= rows.last; ++row)
-    for (std::size_t column = columns.first; column <= columns.last; ++column) {
-      const ItemId texel = map.ids[row * static_cast<std::size_t>(map.width) + column];
-      if (raster::blend(face.list.format, face.list.blend, offset, texel) == id) return true;
-    }
-  return false;
+/// Whether a device may show the triangle from its front or its back.
+bool mayFace(const DeviceTriangle& triangle, const raster::Draw& draw, bool away) {
+  return (triangle.facesAway == away || triangle.mayFlip) && !isCulled(draw, away);
 }
 
 bool mayGive(const JudgedFace& face, const Candidate& candidate, ItemId id) {
   const DeviceTriangle& triangle = *candidate.triangle;
-  const raster::Draw& draw = face.list.draws[triangle.draw];
-  if (draw.back && (triangle.facesAway || triangle.mayFlip) && id == *draw.back) return true;
-  if (draw.back && triangle.facesAway && !triangle.mayFlip) return false;
+  const raster::Draw& draw = drawOf(face, triangle);
+  const bool isOpen = mayMeetHole(face, candidate) && !mayFindTexel(face, candidate, std::not_fn(isHoleTexel));
+  if (isOpen) return false;
+  if (draw.back && id == *draw.back && mayFace(triangle, draw, true)) return true;
+  if (!mayFace(triangle, draw, false) && (draw.back || !mayFace(triangle, draw, true))) return false;
   if (!draw.indexMap) return id == draw.offset;
-  return mayGiveTexel(face, candidate, face.list.indexMaps[static_cast<std::size_t>(*draw.indexMap)], draw.offset, id);
+  return mayFindTexel(face, candidate, [&](ItemId texel) {
+    return !isHoleTexel(texel) && raster::blend(face.list.format, face.list.blend, draw.offset, texel) == id;
+  });
 }
 
 bool haveSameCorners(const DeviceTriangle& a, const DeviceTriangle& b) {
@@ -153,11 +197,12 @@ bool haveSameCorners(const DeviceTriangle& a, const DeviceTriangle& b) {
                     [](const auto& p, const auto& q) { return cornerOf(p) == cornerOf(q); });
 }
 
-/// Whether an earlier candidate has the same corners. Then it covers the same samples at the same depths on every
-/// device, and where equal depths keep the first triangle, this one is never visible.
+/// Whether an earlier candidate that cannot vanish has the same corners. Then it covers the same samples at the same
+/// depths on every device, and where equal depths keep the first triangle, this one is never visible.
 bool hasEarlierTwin(const std::vector<Candidate>& candidates, const Candidate& candidate) {
-  return std::any_of(candidates.data(), &candidate,
-                     [&](const Candidate& earlier) { return haveSameCorners(*earlier.triangle, *candidate.triangle); });
+  return std::any_of(candidates.data(), &candidate, [&](const Candidate& earlier) {
+    return !earlier.mayVanish && haveSameCorners(*earlier.triangle, *candidate.triangle);
+  });
 }
 
 /// The candidate that the rules show; null for the background.
@@ -173,7 +218,9 @@ const Candidate* expectedOf(const std::vector<Candidate>& candidates) {
 JudgedFace judgedFace(const raster::DrawList& list, const raster::Face& face, const DeviceProfile& profile) {
   // Two stored depths 1 - n/w are each off by the error, and differ by n times the difference of 1/w.
   const double nearDistance = face.nearDistance;
-  return {list, profile, 2 * depthError(profile) / nearDistance, 1 / nearDistance};
+  std::vector<char> holes;
+  for (const raster::IndexMap& map : list.indexMaps) holes.push_back(raster::hasHoles(map));
+  return {list, profile, 2 * depthError(profile) / nearDistance, 1 / nearDistance, std::move(holes)};
 }
 
 PixelVerdict judgeId(const JudgedFace& face, std::span<const DeviceTriangle* const> triangles,

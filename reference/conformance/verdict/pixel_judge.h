@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "reference/conformance/vectors/enum_names.h"
 #include "reference/conformance/verdict/device_profile.h"
@@ -32,8 +33,9 @@ constexpr std::array<Named<PixelVerdict>, 6> pixelVerdictNames{{{PixelVerdict::E
 struct JudgedFace {
   const raster::DrawList& list;
   const DeviceProfile& profile;
-  double depthTolerance;  ///< of 1/w, between two triangles
-  double nearest;         ///< 1/w at the near plane
+  double depthTolerance;       ///< of 1/w, between two triangles
+  double nearest;              ///< 1/w at the near plane
+  std::vector<char> hasHoles;  ///< one per index map
 };
 
 JudgedFace judgedFace(const raster::DrawList& list, const raster::Face& face, const DeviceProfile& profile);

@@ -4,7 +4,8 @@
 ///
 /// A triangle that may cover the sample (triangle_bounds.h) explains the item IDs that it may produce. Its depth must
 /// be able to pass the depth test against all guaranteed coverage of the sample. The background is explained without
-/// guaranteed coverage. Each bound is a worst case, so a device within the profile has no errors.
+/// guaranteed coverage. A triangle that a device may cull, or whose texel may be a hole, guarantees none. Each bound is
+/// a worst case, so a device within the profile has no errors.
 #pragma once
 
 #include <array>

@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 
 #include "reference/conformance/suite/vector_suite.h"
+#include "reference/conformance/vectors/random_vectors.h"
 #include "tests/support/staged_drawing.h"
 
 using namespace hemitex;
@@ -93,7 +94,23 @@ TEST_CASE("drawOn with the default StagedGeometry draws the item IDs of the rule
   for (const char* name : {"five-faces-tilted", "frustum-sheet", "guard-band-sheet", "perspective-clipped", "backs"}) {
     INFO(name);
     const TestVector vector = named(name);
-    CHECK(idsOf(drawAll(device, vector)) == idsOf(drawAll(StagedDevice{}, vector)));
+    CHECK(idsOf(drawAll(device, vector)) == idsOf(reference::render(vector)));
+    CHECK(idsOf(drawAll(StagedDevice{}, vector)) == idsOf(reference::render(vector)));
+  }
+}
+
+TEST_CASE("drawOn draws holes and culls by the facing that the device assumes", "[diagnosis]") {
+  StagedDevice turned;
+  turned.facing = [](reference::Facing side, const raster::Face&) { return otherSide(side); };
+  for (std::uint64_t seed = 0; seed < 50; ++seed) {
+    const TestVector backsCulled = reference::randomVector(seed, "two-sided");
+    TestVector frontsCulled = backsCulled;
+    for (raster::Draw& draw : frontsCulled.list.draws) {
+      draw.cull = raster::Cull::Front;
+      draw.back = {};
+    }
+    CHECK(idsOf(drawAll(StagedDevice{}, backsCulled)) == idsOf(reference::render(backsCulled)));
+    CHECK(idsOf(drawAll(turned, backsCulled)) == idsOf(reference::render(frontsCulled)));
   }
 }
 

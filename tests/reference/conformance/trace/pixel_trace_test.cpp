@@ -10,6 +10,7 @@
 #include "raster/plain/plain_renderer.h"
 #include "reference/conformance/suite/vector_suite.h"
 #include "reference/conformance/trace/stage_dump.h"
+#include "reference/conformance/vectors/random_vectors.h"
 #include "tests/support/raster_scenes.h"
 
 using namespace hemitex;
@@ -159,4 +160,23 @@ TEST_CASE("derive finds the next triangle behind, by the exact difference of 1/w
   REQUIRE(derivation);
   CHECK_FALSE(derivation->runnerUp);
   CHECK_FALSE(deriveAt(list, tests::frontFace(4), 3, 2));
+}
+
+TEST_CASE("derive and stagesOf see through holes and culled triangles", "[trace]") {
+  for (const reference::RandomFamily& family : reference::newRandomFamilies())
+    for (std::uint64_t seed = 0; seed < 20; ++seed) {
+      const TestVector vector = reference::randomVector(seed, family.name);
+      const raster::Face& face = vector.faces[0].face;
+      const std::vector<raster::ItemId> ids = reference::render(vector)[0].ids;
+      const reference::Stages stages = reference::stagesOf(vector.list, face);
+      bool areEqual = true;
+      for (std::size_t p = 0; p < ids.size(); ++p) {
+        const glm::ivec2 at = reference::pixelAt(face.scissor, p);
+        const std::optional<Derivation> derived = deriveAt(vector.list, face, at.x, at.y);
+        areEqual &= ids[p] == (derived ? derived->visible.id : raster::backgroundId(vector.list.format));
+        areEqual &= stages.triangles[p] == (derived ? static_cast<int>(derived->visible.triangle) : -1);
+      }
+      INFO(vector.name);
+      CHECK(areEqual);
+    }
 }

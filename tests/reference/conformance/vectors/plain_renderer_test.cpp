@@ -25,11 +25,12 @@ bool areEqual(const std::vector<raster::ItemBuffer>& a, const std::vector<raster
       [](const raster::ItemBuffer& one, const raster::ItemBuffer& other) { return one.ids == other.ids; });
 }
 
-/// How many of the first random vectors PlainRenderer draws differently from the renderer or from evaluateRules.
-std::size_t differingVectors(std::size_t count) {
+/// How many of `count` vectors PlainRenderer draws differently from the renderer or from evaluateRules.
+template <typename MakeVector>
+std::size_t differingVectors(std::size_t count, const MakeVector& make) {
   std::atomic<std::size_t> differing = 0;
   raster::parallelFor(count, [&](std::size_t k) {
-    const TestVector vector = reference::interleavedRandomVector(11, k);
+    const TestVector vector = make(k);
     const std::vector<raster::ItemBuffer> plain = drawnPlainly(vector);
     std::vector<raster::ItemBuffer> rational;
     for (const raster::Face& face : reference::facesOf(vector))
@@ -37,6 +38,15 @@ std::size_t differingVectors(std::size_t count) {
     if (!areEqual(plain, reference::render(vector)) || !areEqual(plain, rational)) ++differing;
   });
   return differing;
+}
+
+std::size_t differingVectors(std::size_t count) {
+  return differingVectors(count, [](std::size_t k) { return reference::interleavedRandomVector(11, k); });
+}
+
+/// The same of a family of version 2.
+std::size_t differingVectors(std::size_t count, const reference::RandomFamily& family) {
+  return differingVectors(count, [&](std::size_t k) { return reference::randomVector(k, family.name); });
 }
 
 }  // namespace
@@ -52,7 +62,16 @@ TEST_CASE("PlainRenderer equals the renderer and evaluateRules on vectors of int
   CHECK(differingVectors(2000) == 0);
 }
 
-// The target million_vectors runs it; the test above is a part of it.
+TEST_CASE("PlainRenderer equals the renderer and evaluateRules on vectors of newRandomFamilies", "[plain]") {
+  for (const reference::RandomFamily& family : reference::newRandomFamilies()) {
+    INFO(family.name);
+    CHECK(differingVectors(1000, family) == 0);
+  }
+}
+
+// The target million_vectors runs it; the tests above are a part of it.
 TEST_CASE("PlainRenderer equals the renderer and evaluateRules on 100,000 vectors", "[.million_vectors]") {
   CHECK(differingVectors(100000) == 0);
+  for (const reference::RandomFamily& family : reference::newRandomFamilies())
+    CHECK(differingVectors(100000, family) == 0);
 }

@@ -1,6 +1,7 @@
 // The random families contain the cases that they are named for, in sufficient numbers.
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <set>
 #include <string>
@@ -144,7 +145,9 @@ TEST_CASE("randomFamilies contain the cases that they are named for", "[rational
 
 TEST_CASE("randomFamilies have unique names, at most ten triangles per drawing, and small faces", "[random]") {
   std::set<std::string> names;
-  for (const reference::RandomFamily& family : reference::randomFamilies()) {
+  std::vector<reference::RandomFamily> families = reference::randomFamilies();
+  families.insert(families.end(), reference::newRandomFamilies().begin(), reference::newRandomFamilies().end());
+  for (const reference::RandomFamily& family : families) {
     INFO(family.name);
     CHECK(names.insert(family.name).second);
     CHECK_FALSE(std::string(family.catches).empty());
@@ -160,6 +163,32 @@ TEST_CASE("randomFamilies have unique names, at most ten triangles per drawing, 
       }
     }
   }
+}
+
+TEST_CASE("newRandomFamilies show holes and culling in most vectors", "[random]") {
+  constexpr int count = 300;
+  const auto differing = [](const std::string& family, const std::function<void(raster::DrawList&)>& change) {
+    int changed = 0;
+    for (std::uint64_t seed = 0; seed < count; ++seed) {
+      reference::TestVector vector = reference::randomVector(seed, family);
+      const std::string hash = reference::idsHash(reference::render(vector));
+      change(vector.list);
+      changed += reference::idsHash(reference::render(vector)) != hash;
+    }
+    return changed;
+  };
+  const auto fill = [](raster::DrawList& list) {
+    for (raster::IndexMap& map : list.indexMaps) std::replace(map.ids.begin(), map.ids.end(), raster::holeTexel, 0U);
+  };
+  const auto drawAll = [](raster::DrawList& list) {
+    for (raster::Draw& draw : list.draws) draw.cull = raster::Cull::None;
+  };
+  CHECK(differing("holes", fill) > count / 2);
+  CHECK(differing("holes", drawAll) == 0);
+  CHECK(differing("culled-sides", drawAll) > count / 2);
+  CHECK(differing("culled-sides", fill) == 0);
+  CHECK(differing("two-sided", fill) > count / 2);
+  CHECK(differing("two-sided", drawAll) > count / 2);
 }
 
 TEST_CASE("Random gives the pinned numbers within their intervals", "[random]") {

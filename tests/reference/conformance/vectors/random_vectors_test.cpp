@@ -39,8 +39,10 @@ Ids bitsOf(const TestVector& vector) {
   for (const glm::vec2& t : vector.list.texcoords) append(bits, {t.x, t.y, 0});
   bits.insert(bits.end(), vector.list.indices.begin(), vector.list.indices.end());
   for (const raster::IndexMap& map : vector.list.indexMaps) bits.insert(bits.end(), map.ids.begin(), map.ids.end());
-  for (const raster::Draw& draw : vector.list.draws)
+  for (const raster::Draw& draw : vector.list.draws) {
     bits.insert(bits.end(), {draw.first, draw.count, draw.offset, draw.back.value_or(0)});
+    if (draw.cull != raster::Cull::None) bits.push_back(static_cast<ItemId>(draw.cull));
+  }
   for (const raster::Face& face : facesOf(vector))
     for (const glm::vec3& row : {face.eye, face.x, face.y, face.w, glm::vec3(face.nearDistance)}) append(bits, row);
   for (const raster::ItemBuffer& buffer : reference::render(vector))
@@ -130,20 +132,33 @@ Detections detectFaults(std::uint64_t count) {
 }  // namespace
 
 TEST_CASE("randomVector gives pinned vectors for the first hundred seeds of each family", "[random]") {
-  const std::map<std::string, std::string> pinned{
-      {"generic", "95ba56d3e753e792"},         {"slivers", "a32df0d77b67a939"},
-      {"sample-ties", "fda08b74dc47f950"},     {"near-plane", "552c4a7641d339b9"},
-      {"guard-band", "e2be987de99a15d5"},      {"far-from-zero", "6c71b4fa4d0f4b20"},
-      {"depth-ratios", "059111249301515c"},    {"depth-ties", "0b955c254020fde2"},
-      {"close-depths", "84c11b38a7a5be3a"},    {"texel-borders", "f62a6a0f42de3650"},
-      {"minified-maps", "2ed5da773a124375"},   {"facing", "f937bca42688f304"},
-      {"views", "d7e28f760e2b3bdc"},           {"shared-vertices", "0737da0c331f3c6e"},
-      {"channel-sums", "231a1518d365911a"},    {"integer-sums", "ccb5750dc9b45427"},
-      {"replaced-ids", "f835e40c01de3ef1"},    {"aligned-ids", "164d63d109f52381"},
-      {"equal-depths", "ce7904759cb3e8b6"},    {"many-vertices", "e113e9949e72b479"},
-      {"long-edges", "9985eee5ebedf008"},      {"constant-coordinates", "1541d1f22cc175c2"},
-      {"fine-coordinates", "787f8a368e3b6391"}};
-  CHECK(pinned.size() == reference::randomFamilies().size());
+  const std::map<std::string, std::string> pinned{{"generic", "95ba56d3e753e792"},
+                                                  {"slivers", "a32df0d77b67a939"},
+                                                  {"sample-ties", "fda08b74dc47f950"},
+                                                  {"near-plane", "552c4a7641d339b9"},
+                                                  {"guard-band", "e2be987de99a15d5"},
+                                                  {"far-from-zero", "6c71b4fa4d0f4b20"},
+                                                  {"depth-ratios", "059111249301515c"},
+                                                  {"depth-ties", "0b955c254020fde2"},
+                                                  {"close-depths", "84c11b38a7a5be3a"},
+                                                  {"texel-borders", "f62a6a0f42de3650"},
+                                                  {"minified-maps", "2ed5da773a124375"},
+                                                  {"facing", "f937bca42688f304"},
+                                                  {"views", "d7e28f760e2b3bdc"},
+                                                  {"shared-vertices", "0737da0c331f3c6e"},
+                                                  {"channel-sums", "231a1518d365911a"},
+                                                  {"integer-sums", "ccb5750dc9b45427"},
+                                                  {"replaced-ids", "f835e40c01de3ef1"},
+                                                  {"aligned-ids", "164d63d109f52381"},
+                                                  {"equal-depths", "ce7904759cb3e8b6"},
+                                                  {"many-vertices", "e113e9949e72b479"},
+                                                  {"long-edges", "9985eee5ebedf008"},
+                                                  {"constant-coordinates", "1541d1f22cc175c2"},
+                                                  {"fine-coordinates", "787f8a368e3b6391"},
+                                                  {"holes", "4de001229fbb81f9"},
+                                                  {"culled-sides", "579c44020b90f666"},
+                                                  {"two-sided", "8cb41c75985d105e"}};
+  CHECK(pinned.size() == reference::randomFamilies().size() + reference::newRandomFamilies().size());
   for (const auto& [family, hash] : pinned) {
     INFO(family);
     CHECK(hashOf(family) == hash);
@@ -173,12 +188,13 @@ TEST_CASE("interleavedRandomVector gives each family once per seed", "[random]")
 
 TEST_CASE("readVector reads vectors of randomVector back to the same bits", "[random]") {
   const TemporaryFolder folder;
-  for (const reference::RandomFamily& family : reference::randomFamilies()) {
-    const TestVector vector = reference::randomVector(3, family.name);
-    reference::writeVector(folder.path, vector, reference::render(vector));
-    INFO(family.name);
-    CHECK(bitsOf(reference::readVector(folder.path)) == bitsOf(vector));
-  }
+  for (const auto& families : {reference::randomFamilies(), reference::newRandomFamilies()})
+    for (const reference::RandomFamily& family : families) {
+      const TestVector vector = reference::randomVector(3, family.name);
+      reference::writeVector(folder.path, vector, reference::render(vector));
+      INFO(family.name);
+      CHECK(bitsOf(reference::readVector(folder.path)) == bitsOf(vector));
+    }
 }
 
 TEST_CASE("evaluateRules equals the renderer on 10,000 vectors of interleavedRandomVector", "[random]") {

@@ -69,6 +69,58 @@ TEST_CASE("readVector reads back the bits that writeVector wrote", "[vector]") {
   CHECK(read.faces[1].hash.empty());
 }
 
+TEST_CASE("writeVector writes version 1 as before, and version 2 where a draw culls or an index map has a hole",
+          "[vector]") {
+  const auto textOf = [](const TestVector& vector) {
+    const TemporaryFolder folder;
+    writeVector(folder.path, vector, {});
+    const TestVector read = reference::readVector(folder.path);
+    for (std::size_t d = 0; d < 3; ++d) CHECK(read.list.draws[d].cull == vector.list.draws[d].cull);
+    CHECK(read.list.indexMaps[1].ids == vector.list.indexMaps[1].ids);
+    return contents(folder.path / "vector.json");
+  };
+  const std::string old = textOf(sample());
+  CHECK(old.find("\"rules\": 1,") != std::string::npos);
+  CHECK(old.find("cull") == std::string::npos);
+  TestVector open = sample(), culling = sample();
+  open.list.indexMaps[1].ids[4] = raster::holeTexel;
+  std::string text = textOf(open);
+  REQUIRE(text.find("\"rules\": 2,") != std::string::npos);
+  text[text.find("\"rules\": 2,") + 9] = '1';
+  CHECK(text == old);
+  for (const raster::Cull cull : {raster::Cull::Front, raster::Cull::Back}) {
+    culling.list.draws[2].cull = cull;
+    text = textOf(culling);
+    CHECK(text.find("\"rules\": 2,") != std::string::npos);
+    CHECK(text.find(cull == raster::Cull::Front ? "\"cull\": \"front\"" : "\"cull\": \"back\"") != std::string::npos);
+  }
+}
+
+TEST_CASE("readVector refuses holes and culling in version 1, and unknown ways to cull", "[vector]") {
+  const auto refusal = [](const TestVector& vector, const std::string& from, const std::string& to) -> std::string {
+    const TemporaryFolder folder;
+    writeVector(folder.path, vector, {});
+    std::string json = contents(folder.path / "vector.json");
+    json.replace(json.find(from), from.size(), to);
+    std::ofstream(folder.path / "vector.json") << json;
+    try {
+      reference::readVector(folder.path);
+      return {};
+    } catch (const raster::InputError& error) {
+      return error.what();
+    }
+  };
+  TestVector open = sample(), culling = sample();
+  open.list.indexMaps[1].ids[4] = raster::holeTexel;
+  culling.list.draws[2].cull = raster::Cull::Back;
+  for (const TestVector& vector : {open, culling}) {
+    CHECK(refusal(vector, "\"rules\": 2", "\"rules\": 1").find("\"rules\": 2") != std::string::npos);
+    CHECK(refusal(vector, "\"rules\": 2", "\"rules\": 2").empty());
+  }
+  CHECK(refusal(culling, "\"cull\": \"back\"", "\"cull\": \"both\"").find("none, front, back") != std::string::npos);
+  CHECK(refusal(sample(), "\"rules\": 1", "\"rules\": 2").empty());
+}
+
 TEST_CASE("writeVector writes one item ID per pixel and the hash of the bytes", "[vector]") {
   const TemporaryFolder folder;
   const TestVector vector = sample();
@@ -94,7 +146,7 @@ TEST_CASE("readVector throws with the name of the file that breaks the format", 
     std::string from, to;  // a replacement in vector.json
   };
   const std::vector<Case> cases{
-      {"\"rules\": 1", "\"rules\": 2"},
+      {"\"rules\": 1", "\"rules\": 3"},
       {"\"rules\": 1,", ""},
       {"\"resolution\": 16", "\"resolution\": 15"},
       {"\"resolution\": 16", "\"resolution\": 16.5"},

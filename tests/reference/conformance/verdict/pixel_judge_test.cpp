@@ -190,6 +190,58 @@ TEST_CASE("judgeId explains a back item ID where the triangle faces away, or may
   }
 }
 
+TEST_CASE("judgeId opens and fills a hole up to the texel precision from its border", "[verdict]") {
+  // Texels of 4 x 2 pixels in front of a backdrop. Of columns 1 and 2, the second one is open; the samples of pixels 7
+  // and 8 lie an eighth of a texel from the border between them.
+  raster::DrawList list = tests::plainList();
+  list.indexMaps.push_back({4, 1, {0, 1, raster::holeTexel, 3}});
+  tests::addDraw(list, 0x100, {}, 0);
+  reference::addQuad(list, {at(0, 0), at(16, 0), at(16, 16), at(0, 16)});
+  addBackdrop(list, 0x200, 2);
+  const raster::Face face = tests::frontFace(resolution);
+  const std::vector<ItemId> ids = tests::drawOne(list, face).ids;
+  REQUIRE((ids[7] == 0x101 && ids[8] == 0x200));
+  for (const double precision : {0.124, 0.126}) {
+    DeviceProfile profile = strictProfile();
+    profile.texelPrecision = precision;
+    const bool isWithin = precision > 0.125;
+    CHECK((verdictAt(list, face, profile, 7, 0, 0x200) != PixelVerdict::Error) == isWithin);
+    CHECK((verdictAt(list, face, profile, 8, 0, 0x101) != PixelVerdict::Error) == isWithin);
+    CHECK(verdictAt(list, face, profile, 6, 0, 0x200) == PixelVerdict::Error);
+    CHECK(verdictAt(list, face, profile, 9, 0, 0x101) == PixelVerdict::Error);
+    for (const int column : {6, 7, 8, 9})
+      CHECK(verdictAt(list, face, profile, column, 0, raster::backgroundId(list.format)) == PixelVerdict::Error);
+    // A hole has no item ID.
+    CHECK(verdictAt(list, face, profile, 8, 0, 0xff) == PixelVerdict::Error);
+  }
+}
+
+TEST_CASE("judgeId sees no triangle that every device culls, and excuses one that may flip", "[verdict]") {
+  constexpr ItemId culled = 1, behind = 2;
+  const auto listOf = [&](raster::Cull cull, const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
+    raster::DrawList list = tests::plainList();
+    tests::addDraw(list, culled);
+    list.draws.back().cull = cull;
+    tests::addTriangle(list, {a, b, c});
+    addBackdrop(list, behind, 2);
+    return list;
+  };
+  const raster::Face face = tests::frontFace(resolution);
+  for (const raster::Cull cull : {raster::Cull::Front, raster::Cull::Back}) {
+    const raster::DrawList facing = listOf(cull, at(0, 0), at(0, 16), at(16, 0));
+    const bool isCulled = cull == raster::Cull::Front;
+    REQUIRE(tests::drawOne(facing, face).ids[0] == (isCulled ? behind : culled));
+    CHECK(verdictAt(facing, face, {}, 3, 4, isCulled ? culled : behind) == PixelVerdict::Error);
+  }
+  // A sub-pixel high, with corners that move by one: it may turn either side to the eye.
+  DeviceProfile moving = strictProfile();
+  moving.vertexError = 0.6 / 2048 * 0x1p24;
+  const double low = 8.5 + 1.0 / 256;
+  const raster::DrawList needle = listOf(raster::Cull::Back, at(2, 8.5), at(14, 8.5), at(8, low));
+  for (const ItemId id : {culled, behind}) CHECK(verdictAt(needle, face, moving, 8, 8, id) != PixelVerdict::Error);
+  CHECK(verdictAt(needle, face, strictProfile(), 8, 8, culled) == PixelVerdict::Error);
+}
+
 TEST_CASE("judgeId lets a fold move off a sample, and no sheet across it", "[verdict]") {
   // Two triangles that share an edge which may move to the sample: on one side of it, or on both.
   const glm::vec3 top = at(8.5 + tie, 0), bottom = at(8.5 + tie, 16);

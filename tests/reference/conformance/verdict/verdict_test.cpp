@@ -98,6 +98,42 @@ TEST_CASE("judge finds no error in a device within its profile", "[verdict]") {
   CHECK(explained > 1000);
 }
 
+TEST_CASE("judge finds no error in a device within its profile that draws holes and culls", "[verdict]") {
+  for (const reference::RandomFamily& family : reference::newRandomFamilies()) {
+    std::uint64_t explained = 0;
+    for (const DeviceProfile& profile : profiles())
+      for (std::uint32_t seed = 0; seed < 400; ++seed) {
+        const reference::TestVector vector = reference::randomVector(seed, family.name);
+        const raster::Face& face = vector.faces[0].face;
+        const SimulatedDevice device{profile, seed, seed % 2 == 1};
+        const raster::ItemBuffer found = drawOn(device, vector.list, face);
+        const auto counts = countsOf(vector.list, face, found, profile);
+        INFO(vector.name << ", vertex error " << profile.vertexError << ", " << profile.subpixelBits << " bits");
+        CHECK(count(counts, PixelVerdict::Error) == 0);
+        explained += found.ids.size() - count(counts, PixelVerdict::Exact);
+      }
+    INFO(family.name);
+    CHECK(explained > 100);
+  }
+}
+
+TEST_CASE("judge finds errors in a device that fills holes or draws culled triangles", "[verdict]") {
+  for (const reference::RandomFamily& family : reference::newRandomFamilies()) {
+    std::uint64_t wrong = 0;
+    for (std::uint64_t seed = 0; seed < 100; ++seed) {
+      const reference::TestVector vector = reference::randomVector(seed, family.name);
+      raster::DrawList changed = vector.list;
+      for (raster::IndexMap& map : changed.indexMaps)
+        std::replace(map.ids.begin(), map.ids.end(), raster::holeTexel, 0U);
+      for (raster::Draw& draw : changed.draws) draw.cull = raster::Cull::None;
+      const raster::Face& face = vector.faces[0].face;
+      wrong += count(countsOf(vector.list, face, tests::drawOne(changed, face)), PixelVerdict::Error) > 0;
+    }
+    INFO(family.name);
+    CHECK(wrong > 50);
+  }
+}
+
 TEST_CASE("judge finds errors in a device three sub-pixels beyond its profile", "[verdict]") {
   std::uint64_t right = 0, wrong = 0;
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
