@@ -32,13 +32,13 @@ void main() {
   // The depth is w itself, scaled below 1 by a power of two. It is often a binary32 number where 1/w is not.
   gl_FragDepth = float(volume / dot(one, p)) * 5.421010862427522e-20;  // 2^-64
   Draw drawn = draws[draw];
-  if (drawn.hasBack != 0 && !gl_FrontFacing) {
-    id = drawn.back;
-  } else if (drawn.width == 0) {
-    id = drawn.offset;
-  } else {
-    dvec2 position = dvec2(dot(column, p), dot(row, p)) / dot(one, p);
-    uvec2 texel = uvec2(clamp(floor(position), dvec2(0), dvec2(drawn.width, drawn.height) - 1));
-    id = blended(drawn.offset, texels[drawn.firstTexel + texel.y * uint(drawn.width) + texel.x]);
-  }
+  if (drawn.cull == (gl_FrontFacing ? 1 : 2)) discard;
+  bool isBack = drawn.hasBack != 0 && !gl_FrontFacing;
+  id = isBack ? drawn.back : drawn.offset;
+  if (drawn.width == 0) return;
+  dvec2 position = dvec2(dot(column, p), dot(row, p)) / dot(one, p);
+  uvec2 texel = uvec2(clamp(floor(position), dvec2(0), dvec2(drawn.width, drawn.height) - 1));
+  uint index = texels[drawn.firstTexel + texel.y * uint(drawn.width) + texel.x];
+  if (index == ~0u) discard;  // a hole
+  if (!isBack) id = blended(drawn.offset, index);
 }

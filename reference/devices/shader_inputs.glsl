@@ -13,6 +13,7 @@ struct Draw {
   uint hasBack;
   uint firstTexel;
   int width, height;
+  int cull;  // raster::Cull
 };
 
 layout(std430, binding = 0) readonly buffer Corners { Corner corners[]; };

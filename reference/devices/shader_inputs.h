@@ -24,6 +24,7 @@ struct ShaderDraw {
   std::uint32_t hasBack;
   std::uint32_t firstTexel;  ///< of its index map, in the array of texels
   int width, height;         ///< of its index map; 0 without one
+  int cull;                  ///< raster::Cull
 };
 
 /// The members are ordered such that GLSL needs no padding.
@@ -39,7 +40,7 @@ struct alignas(16) ShaderView {
   glm::vec2 scissor;  ///< first column and row
   raster::Blend blend;
 };
-static_assert(sizeof(ShaderCorner) == 24 && sizeof(ShaderDraw) == 24 && sizeof(ShaderView) == 80);
+static_assert(sizeof(ShaderCorner) == 24 && sizeof(ShaderDraw) == 28 && sizeof(ShaderView) == 80);
 
 /// The highest bit of each channel.
 std::uint32_t channelEnds(const raster::IdFormat& format);

@@ -90,7 +90,7 @@ std::vector<Corners> preparedTriangles(const raster::DrawList& list) {
     const raster::IndexMap* map = draw.indexMap ? &list.indexMaps[static_cast<std::size_t>(*draw.indexMap)] : nullptr;
     for (std::uint32_t first = draw.first; first < draw.first + draw.count; first += 3) {
       triangles.push_back(cornersAt(list, first, map));
-      sortCorners(triangles.back(), !draw.back);
+      sortCorners(triangles.back(), !draw.back && draw.cull == raster::Cull::None);
       liftTexels(triangles.back());
     }
   }
@@ -134,6 +134,8 @@ FixedFunction::FixedFunction(const raster::DrawList& list) : triangles_(prepared
   if (!addsAsBytes(list))
     throw raster::InputError("fixed-function hardware cannot add item IDs of these channels",
                              "use r8g8b8 or r8g8b8a8 with a clamped add, aligned offsets, or the shader path");
+  if (std::any_of(list.indexMaps.begin(), list.indexMaps.end(), raster::hasHoles))
+    throw raster::InputError("fixed-function hardware cannot discard the holes of index maps", "use the shader path");
   glDepthFunc(GL_GREATER);
   glClearDepth(0);
   glDisable(GL_DITHER);
@@ -167,8 +169,10 @@ void FixedFunction::draw(const raster::Draw& draw, const VertexRuns& runs) {
     glColor4fv(&colourOf(colour)[0]);
     drawRuns(runs);
   };
-  drawSide(draw.offset, draw.indexMap.has_value(), draw.back ? GL_BACK : GL_NONE);
-  if (draw.back) drawSide(*draw.back, false, GL_FRONT);
+  using raster::Cull;
+  const GLenum culled = draw.cull == Cull::Front ? GL_FRONT : draw.back || draw.cull == Cull::Back ? GL_BACK : GL_NONE;
+  if (!draw.back || draw.cull != Cull::Front) drawSide(draw.offset, draw.indexMap.has_value(), culled);
+  if (draw.back && draw.cull != Cull::Back) drawSide(*draw.back, false, GL_FRONT);
 }
 
 }  // namespace

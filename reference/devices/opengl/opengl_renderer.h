@@ -29,7 +29,8 @@ enum class OpenGlPath {
 
 /// Throws InputError if the list breaks the rules, there is no device (see context.h), or an index map exceeds the
 /// device's textures, on the shader path its buffers. Also throws it if the path cannot draw the list. Fixed-function
-/// hardware adds only channels of 8 bits with clamping and, in any format, item IDs that share no bits.
+/// hardware adds only channels of 8 bits with clamping and, in any format, item IDs that share no bits. It discards no
+/// holes.
 ///
 /// Drawing throws InputError if a face breaks the rules or exceeds the device's viewport, or if the device fails. The
 /// fixed-function path draws the fronts of a draw before its backs: at equal depths the front is visible.

@@ -48,6 +48,10 @@ uint sum(uint a, uint b) {
 }
 )";
 
+constexpr const char* holeText = "bool isHole(uint texel) { return texel == ~0u; }\n";
+/// Devices test depths early where no fragment can be discarded.
+constexpr const char* noHoleText = "bool isHole(uint texel) { return false; }\n";
+
 constexpr const char* fragmentText = R"(
 layout(location = 1) uniform uint back;
 layout(location = 2) uniform bool hasBack;
@@ -56,17 +60,21 @@ in vec2 uv;
 flat in uint offset;
 out uint id;
 
-void main() { id = hasBack && !gl_FrontFacing ? back : sum(offset, texture(map, uv).x); }
+void main() {
+  uint texel = texture(map, uv).x;
+  if (isHole(texel)) discard;
+  id = hasBack && !gl_FrontFacing ? back : sum(offset, texel);
+}
 )";
 
-/// The largest value of each channel of a map's item IDs.
+/// The largest value of each channel of a map's item IDs, holes aside.
 ItemId largestChannels(const raster::IndexMap& map, const raster::IdFormat& format) {
   ItemId largest = 0;
   int shift = 0;
   for (const int bits : format.channelBits) {
     const ItemId channel = raster::backgroundId({{bits}}) << shift;
     ItemId ofChannel = 0;
-    for (const ItemId id : map.ids) ofChannel = std::max(ofChannel, id & channel);
+    for (const ItemId id : map.ids) ofChannel = std::max(ofChannel, id == raster::holeTexel ? 0 : id & channel);
     largest |= ofChannel;
     shift += bits;
   }
@@ -122,7 +130,9 @@ class Plain final : public OpenGlPipeline {
  public:
   explicit Plain(const raster::DrawList& list) {
     const bool isClamped = clamps(list);
-    useProgram(vertexText, std::string(isClamped ? clampedSumText : integerSumText) + fragmentText);
+    const bool hasHoles = std::any_of(list.indexMaps.begin(), list.indexMaps.end(), raster::hasHoles);
+    useProgram(vertexText, std::string(isClamped ? clampedSumText : integerSumText) +
+                               (hasHoles ? holeText : noHoleText) + fragmentText);
     glUniform1ui(3, isClamped ? channelEnds(list.format) : raster::backgroundId(list.format));
     uploadVertices(list);
   }
@@ -131,7 +141,7 @@ class Plain final : public OpenGlPipeline {
   void setView(const raster::Face& face, int width) override;
   /// Each vertex has the offset of its draw.
   bool joins(const raster::Draw& draw, const raster::Draw& next) const override {
-    return draw.back == next.back && draw.indexMap == next.indexMap;
+    return draw.back == next.back && draw.indexMap == next.indexMap && draw.cull == next.cull;
   }
   void draw(const raster::Draw& draw, const VertexRuns& runs) override;
 };
@@ -148,6 +158,8 @@ void Plain::setView(const raster::Face& face, int) {
 void Plain::draw(const raster::Draw& draw, const VertexRuns& runs) {
   glUniform1ui(1, draw.back.value_or(0));
   glUniform1i(2, draw.back.has_value());
+  draw.cull == raster::Cull::None ? glDisable(GL_CULL_FACE) : glEnable(GL_CULL_FACE);
+  glCullFace(draw.cull == raster::Cull::Front ? GL_FRONT : GL_BACK);
   std::vector<const void*> first;  // in the index buffer
   for (const int index : runs.first)
     first.push_back(reinterpret_cast<const void*>(static_cast<std::size_t>(index) * sizeof(GLuint)));

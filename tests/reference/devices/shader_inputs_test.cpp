@@ -25,6 +25,7 @@ TEST_CASE("shaderCorners, shaderDraws and shaderTexels refer to each other", "[s
   tests::addDraw(list, 100, 7, 1);
   tests::addTriangle(list, {{0, 0, 1}, {1, 0, 1}, {0, 1, 1}}, {{0, 0}, {1, 0}, {0, 0.5f}});
   tests::addDraw(list, 200, {}, {});
+  list.draws[1].cull = raster::Cull::Back;
   tests::addTriangle(list, {{0, 0, 2}, {1, 0, 2}, {0, 1, 2}}, {{0, 0}, {1, 0}, {0, 1}});
 
   const auto corners = reference::shaderCorners(list);
@@ -46,4 +47,6 @@ TEST_CASE("shaderCorners, shaderDraws and shaderTexels refer to each other", "[s
   CHECK(std::equal(texels.begin() + draws[0].firstTexel, texels.end(), list.indexMaps[1].ids.begin()));
   CHECK(draws[1].hasBack == 0);
   CHECK(draws[1].width == 0);
+  CHECK(draws[0].cull == 0);
+  CHECK(draws[1].cull == 2);
 }

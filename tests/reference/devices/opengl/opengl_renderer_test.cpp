@@ -14,6 +14,7 @@
 #include "radiosity/solver/progressive_solver.h"
 #include "raster/base/input_error.h"
 #include "reference/conformance/scenes/scene_vectors.h"
+#include "reference/conformance/vectors/random_vectors.h"
 #include "reference/conformance/vectors/vector_file.h"
 #include "reference/conformance/verdict/verdict.h"
 #include "reference/devices/opengl/context.h"
@@ -150,6 +151,21 @@ TEST_CASE("makeOpenGlRenderer without remedies draws the whole suite without err
   }
   CHECK(static_cast<double>(plain.exact) >= 0.98 * static_cast<double>(plain.covered));
   CHECK(plain.exact < shader.exact);
+}
+
+TEST_CASE("makeOpenGlRenderer draws holes and culls; fixed function refuses holes", "[opengl]") {
+  if (!hasDevice()) return;
+  for (const reference::RandomFamily& family : reference::newRandomFamilies())
+    for (std::uint64_t seed = 0; seed < 30; ++seed)
+      for (const OpenGlPath path : {OpenGlPath::FixedFunction, OpenGlPath::Shader, OpenGlPath::Plain}) {
+        const TestVector vector = reference::randomVector(seed, family.name);
+        const std::vector<raster::IndexMap>& maps = vector.list.indexMaps;
+        INFO(vector.name << ", path " << static_cast<int>(path));
+        if (path == OpenGlPath::FixedFunction && std::any_of(maps.begin(), maps.end(), raster::hasHoles))
+          CHECK_THROWS_AS(makeOpenGlRenderer(vector.list, path), raster::InputError);
+        else
+          CHECK(!hasErrors(judge(vector, render(*makeOpenGlRenderer(vector.list, path), facesOf(vector), {}), {})));
+      }
 }
 
 TEST_CASE("makeOpenGlRenderer leaves out skipped triangles", "[opengl]") {

@@ -64,6 +64,16 @@ TEST_CASE("makeVulkanRenderer draws random vectors of all families without error
   }
 }
 
+TEST_CASE("makeVulkanRenderer draws holes and culls", "[vulkan]") {
+  if (!hasDevice()) return;
+  for (const reference::RandomFamily& family : reference::newRandomFamilies())
+    for (std::uint64_t seed = 0; seed < 30; ++seed) {
+      const TestVector vector = reference::randomVector(seed, family.name);
+      INFO(vector.name);
+      CHECK(!hasErrors(judge(vector, draw(vector), {})));
+    }
+}
+
 TEST_CASE("makeVulkanRenderer leaves out skipped triangles", "[vulkan]") {
   if (!hasDevice()) return;
   TestVector vector = tests::suiteVector("five-faces");
