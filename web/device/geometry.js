@@ -52,8 +52,9 @@ export function isMirrored({x, y, w}) {
              x[2] * (y[0] * w[1] - y[1] * w[0]) < 0;
 }
 
-// Numbers of the blends in shaders.
+// Numbers of the blends, and of the culled sides, in shaders.
 export const blends = ["clamped-add", "integer-add", "replace"];
+export const cullOf = ({cull}) => ["none", "front", "back"].indexOf(cull ?? "none");
 
 // Bits of four channels; 0 where there is none.
 export const channelBits = (vector) => [0, 1, 2, 3].map((k) => vector.channels[k] ?? 0);

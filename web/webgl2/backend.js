@@ -2,7 +2,7 @@
 //
 // The vertex stage and the clipping follow the raster rules. All else is left to the device, which snaps and
 // interpolates in its own way.
-import {blends, channelBits, faceTriangles, isMirrored, vertexBytes} from "../device/geometry.js";
+import {blends, channelBits, cullOf, faceTriangles, isMirrored, vertexBytes} from "../device/geometry.js";
 
 const vertexShader = `#version 300 es
 precision highp float;
@@ -24,6 +24,7 @@ uniform usampler2D indexMap;
 uniform bool hasMap, hasBack;
 uniform uint offset, back;
 uniform int blend;               // 0 clamped add, 1 integer add, 2 replace
+uniform int cull;                // 0 none, 1 front, 2 back
 uniform ivec4 channels;          // bits per channel, least significant first; 0 where there is none
 in vec2 unit;
 out uint id;
@@ -43,13 +44,15 @@ uint clampedAdd(uint a, uint b) {
 }
 
 void main() {
-  id = offset;
-  if (hasBack && !gl_FrontFacing) {
-    id = back;
-  } else if (hasMap) {
+  if (cull == (gl_FrontFacing ? 1 : 2)) discard;
+  bool isBack = hasBack && !gl_FrontFacing;
+  id = isBack ? back : offset;
+  if (hasMap) {
     ivec2 size = textureSize(indexMap, 0);
     ivec2 texel = clamp(ivec2(floor(unit * vec2(size))), ivec2(0), size - 1);
     uint fetched = texelFetch(indexMap, texel, 0).r;
+    if (fetched == 0xffffffffu) discard;  // a hole
+    if (isBack) return;
     int bits = channels[0] + channels[1] + channels[2] + channels[3];
     if (blend == 0) id = clampedAdd(offset, fetched);
     if (blend == 1) id = (offset + fetched) & ones(bits);
@@ -124,6 +127,7 @@ function drawFace(gl, program, vector, face, arrays, maps) {
     gl.uniform1ui(at("back"), draw.back ?? 0);
     gl.uniform1i(at("hasBack"), draw.back == null ? 0 : 1);
     gl.uniform1i(at("hasMap"), maps[k] ? 1 : 0);
+    gl.uniform1i(at("cull"), cullOf(draw));
     gl.bindTexture(gl.TEXTURE_2D, maps[k]);
     gl.drawArrays(gl.TRIANGLES, runs[k].first, runs[k].count);
   });

@@ -1,7 +1,7 @@
 // A backend for browsers: draws the item buffers of test vectors with WebGPU. docs/backend.md explains the steps.
 //
 // As with WebGL2, the vertex stage and the clipping follow the raster rules, and all else is left to the device.
-import {blends, channelBits, faceTriangles, isMirrored, vertexBytes} from "../device/geometry.js";
+import {blends, channelBits, cullOf, faceTriangles, isMirrored, vertexBytes} from "../device/geometry.js";
 
 const shaders = /* wgsl */`
 struct Draw {
@@ -12,6 +12,7 @@ struct Draw {
   hasBack: u32,
   hasMap: u32,
   blend: u32,             // 0 clamped add, 1 integer add, 2 replace
+  cull: u32,              // 0 none, 1 front, 2 back
 }
 @group(0) @binding(0) var<uniform> draw: Draw;
 @group(0) @binding(1) var indexMap: texture_2d<u32>;
@@ -43,11 +44,14 @@ fn clampedAdd(a: u32, b: u32) -> u32 {
 }
 
 @fragment fn fragmentStage(@location(0) unit: vec2f, @builtin(front_facing) isFront: bool) -> @location(0) u32 {
-  if (draw.hasBack != 0u && !isFront) { return draw.back; }
-  if (draw.hasMap == 0u) { return draw.offset; }
+  if (draw.cull == select(2u, 1u, isFront)) { discard; }
+  let isBack = draw.hasBack != 0u && !isFront;
+  if (draw.hasMap == 0u) { return select(draw.offset, draw.back, isBack); }
   let size = vec2i(textureDimensions(indexMap));
   let texel = clamp(vec2i(floor(unit * vec2f(size))), vec2i(0), size - 1);
   let fetched = textureLoad(indexMap, texel, 0).r;
+  if (fetched == 0xffffffffu) { discard; }  // a hole
+  if (isBack) { return draw.back; }
   let bits = draw.channels.x + draw.channels.y + draw.channels.z + draw.channels.w;
   switch draw.blend {
     case 0: { return clampedAdd(draw.offset, fetched); }
@@ -112,7 +116,8 @@ function drawUniforms(vector) {
     new Float32Array(bytes, drawStride * k + 16, 1)[0] = vector.near;
     const {offset, back, index_map: map} = draw, uniforms = new Uint32Array(bytes, drawStride * k, 12);
     uniforms.set(channelBits(vector));
-    uniforms.set([offset, back ?? 0, back == null ? 0 : 1, map ? 1 : 0, blends.indexOf(vector.blend)], 5);
+    const blend = blends.indexOf(vector.blend);
+    uniforms.set([offset, back ?? 0, back == null ? 0 : 1, map ? 1 : 0, blend, cullOf(draw)], 5);
   });
   return new Uint8Array(bytes);
 }
