@@ -18,16 +18,26 @@ using namespace py::literals;
 
 constexpr std::int64_t largestId = std::numeric_limits<std::uint32_t>::max();
 
-const std::vector<std::pair<std::string, raster::Blend>>& blends() {
-  static const std::vector<std::pair<std::string, raster::Blend>> names{{"clamped-add", raster::Blend::ClampedAdd},
-                                                                        {"integer-add", raster::Blend::IntegerAdd},
-                                                                        {"replace", raster::Blend::Replace}};
+template <typename Value>
+using Names = std::vector<std::pair<std::string, Value>>;
+
+const Names<raster::Blend>& blends() {
+  static const Names<raster::Blend> names{{"clamped-add", raster::Blend::ClampedAdd},
+                                          {"integer-add", raster::Blend::IntegerAdd},
+                                          {"replace", raster::Blend::Replace}};
   return names;
 }
 
-std::string nameOf(raster::Blend blend) {
-  for (const auto& [name, value] : blends())
-    if (value == blend) return name;
+const Names<raster::Cull>& culls() {
+  static const Names<raster::Cull> names{
+      {"none", raster::Cull::None}, {"front", raster::Cull::Front}, {"back", raster::Cull::Back}};
+  return names;
+}
+
+template <typename Value>
+std::string nameOf(const Names<Value>& names, Value value) {
+  for (const auto& [name, each] : names)
+    if (each == value) return name;
   return {};
 }
 
@@ -63,7 +73,7 @@ std::uint32_t numberOf(const py::handle& value, const std::string& name) {
 
 py::dict toDict(const raster::Draw& draw) {
   return py::dict("first"_a = draw.first / 3, "count"_a = draw.count / 3, "offset"_a = draw.offset,
-                  "back"_a = draw.back, "index_map"_a = draw.indexMap);
+                  "back"_a = draw.back, "index_map"_a = draw.indexMap, "cull"_a = nameOf(culls(), draw.cull));
 }
 
 raster::Draw drawOf(const py::dict& dictionary) {
@@ -75,6 +85,7 @@ raster::Draw drawOf(const py::dict& dictionary) {
   if (const py::object back = member(dictionary, "back"); !back.is_none()) draw.back = numberOf(back, "back");
   if (const py::object map = member(dictionary, "index_map"); !map.is_none())
     draw.indexMap = static_cast<int>(integerOf(map, "index_map", 0, std::numeric_limits<int>::max()));
+  assign(draw.cull, Settings(dictionary).choice("cull", culls()));
   return draw;
 }
 
@@ -114,7 +125,7 @@ py::dict toDict(const raster::DrawList& list) {
       "positions"_a = floats(list.positions), "texcoords"_a = floats(list.texcoords),
       "triangles"_a = toArray(list.indices, {static_cast<py::ssize_t>(list.indices.size() / 3), py::ssize_t{3}}),
       "draws"_a = draws, "index_maps"_a = maps, "channel_bits"_a = py::tuple(py::cast(list.format.channelBits)),
-      "blend"_a = nameOf(list.blend));
+      "blend"_a = nameOf(blends(), list.blend));
 }
 
 raster::DrawList drawListOf(const py::dict& dictionary) {

@@ -24,6 +24,7 @@ class Draw:
     offset: int = 0  #: item ID
     back: int | None = None  #: item ID of triangles that face away; None: drawn as those that face the eye
     index_map: int | None = None  #: in DrawList.index_maps; None: the offset alone
+    cull: str = "none"  #: triangles that do not exist: none, front (those that face the eye) or back
 
 
 @dataclass(frozen=True)
@@ -33,7 +34,7 @@ class DrawList:
     texcoords: npt.ArrayLike  #: (n, 2) in binary32
     triangles: npt.ArrayLike  #: (m, 3) numbers of positions
     draws: Sequence[Draw]  #: in the order in which they are drawn
-    index_maps: Sequence[npt.ArrayLike] = ()  #: (height, width) item IDs each; row 0 is at v = 0
+    index_maps: Sequence[npt.ArrayLike] = ()  #: (height, width) item IDs each; row 0 is at v = 0; 2**32 - 1 is a hole
     channel_bits: tuple[int, ...] = (8, 8, 8, 8)  #: of an item ID, the least significant channel first
     blend: str = "clamped-add"  #: of offset and texel: clamped-add per channel, integer-add or replace
 

@@ -13,7 +13,7 @@ def reference(draw_list: hx.DrawList, face: hx.Face, skipped: np.ndarray) -> np.
     for draw in draw_list.draws:
         for triangle in range(draw.first, draw.first + draw.count):
             if triangle not in skipped:
-                draws.append(hx.Draw(triangle, 1, draw.offset, draw.back, draw.index_map))
+                draws.append(hx.Draw(triangle, 1, draw.offset, draw.back, draw.index_map, draw.cull))
     parts = hx.DrawList(draw_list.positions, draw_list.texcoords, draw_list.triangles, draws, draw_list.index_maps,
                         draw_list.channel_bits, draw_list.blend)
     return hx.TestVector.from_arrays("one", parts, face).draw()[0]
@@ -33,6 +33,21 @@ def test_judge_names_the_fault_of_a_rasterizer() -> None:
 
     verdict = hx.judge(vector, mirrored)
     assert not verdict.passed and verdict.errors and "upside" in verdict.text + str(verdict.diagnosis)
+
+
+def test_holes_and_culling() -> None:
+    positions = [[-1, -1, -1], [3, -1, -1], [-1, 3, -1], [-2, -2, -2], [6, -2, -2], [-2, 6, -2]]
+    texcoords = [[0, 0], [2, 0], [0, 2]] * 2
+    sides = [[0, 1, 2], [0, 2, 1]]
+    for cull, shown in (("none", 0x101), ("back", 0x101), ("front", 0x201)):
+        draws = [hx.Draw(0, 1, 0x100, index_map=0, cull=cull), hx.Draw(1, 1, 0x200, index_map=0, cull=cull)]
+        draw_list = hx.DrawList(positions, texcoords, sides + [[3, 4, 5]], draws + [hx.Draw(2, 1, 0x300)],
+                                [[[1, 2**32 - 1]]])
+        ids = hx.TestVector.from_arrays("cut-out", draw_list, hx.Face(resolution=8)).draw()[0]
+        assert np.all(ids[:, :4] == shown) and np.all(ids[:, 4:] == 0x300)
+    with pytest.raises(hx.InputError, match="none, front, back"):
+        hx.TestVector.from_arrays("wrong", hx.DrawList(positions, texcoords, sides, [hx.Draw(0, 1, cull="both")]),
+                                  hx.Face(resolution=8))
 
 
 def test_solve_with_a_rasterizer_equals_the_reference() -> None:

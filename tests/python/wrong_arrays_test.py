@@ -96,7 +96,7 @@ def calls() -> dict[str, tuple[Callable[..., Any], dict[str, Any]]]:
 
     def vector_of(**given: Any) -> None:
         face = {name: given.pop(name) for name in ("eye", "x", "near", "resolution", "scissor")}
-        draw = hx.Draw(**{name: given.pop(name) for name in ("first", "count", "offset", "back", "index_map")})
+        draw = hx.Draw(**{name: given.pop(name) for name in ("first", "count", "offset", "back", "index_map", "cull")})
         hx.TestVector.from_arrays("fuzz", hx.DrawList(draws=[draw], **given), hx.Face(**face)).draw()
 
     return {
@@ -127,7 +127,7 @@ def calls() -> dict[str, tuple[Callable[..., Any], dict[str, Any]]]:
         "sky": (scene.lit_from_outside, dict(sky=(1.0, 1, 1), suns=[((0, 1.0, 0), (1.0, 1, 1))])),
         "vector": (vector_of, dict(positions=positions, texcoords=positions[:, :2], triangles=triangles,
                                    index_maps=[np.arange(6).reshape(2, 3)], channel_bits=(16, ), blend="clamped-add",
-                                   first=0, count=2, offset=4096, back=None, index_map=0, eye=(0.0, 0, 0),
+                                   first=0, count=2, offset=4096, back=None, index_map=0, cull="back", eye=(0.0, 0, 0),
                                    x=(1.0, 0, 0), near=0.1, resolution=16, scissor=(0, 0, 16, 16))),
         "judge": (hx.judge, dict(vector=vector, found=vector.draw())),
         "judge_ids": (lambda ids: hx.judge(vector, [ids]), dict(ids=vector.draw()[0])),
