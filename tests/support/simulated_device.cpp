@@ -64,8 +64,10 @@ raster::ClippedPolygon polygonOn(const SimulatedDevice& device, const raster::Fa
 }
 
 double snapOn(const SimulatedDevice& device, double position) {
-  const double unit = std::ldexp(256.0, -device.profile.subpixelBits);
-  const bool nearest = device.profile.snapRounding == reference::SnapRounding::Nearest;
+  // A staged device has integer corners; a thousandth of a sub-pixel of the rules stands for not snapping.
+  const bool snaps = device.profile.snapRounding != reference::SnapRounding::None;
+  const double unit = snaps ? std::ldexp(256.0, -device.profile.subpixelBits) : 0x1p-10;
+  const bool nearest = device.profile.snapRounding != reference::SnapRounding::Truncate;
   return (nearest ? std::nearbyint(position / unit) : std::floor(position / unit)) * unit;
 }
 
@@ -158,7 +160,8 @@ raster::ItemId fetchOn(const SimulatedDevice& device, const raster::IndexMap& ma
 reference::StagedDevice stagedDeviceOf(const SimulatedDevice& device) {
   const auto random = std::make_shared<std::mt19937>(device.seed);
   reference::StagedDevice stages;
-  const std::int64_t fineness = std::int64_t{1} << std::max(0, device.profile.subpixelBits - 8);
+  const bool snaps = device.profile.snapRounding != reference::SnapRounding::None;
+  const std::int64_t fineness = std::int64_t{1} << (snaps ? std::max(0, device.profile.subpixelBits - 8) : 10);
   stages.geometry = {[=](const raster::Face& face, const raster::DrawList& list, std::uint32_t t) {
                        return polygonOn(device, face, list, t);
                      },
@@ -171,7 +174,11 @@ reference::StagedDevice stagedDeviceOf(const SimulatedDevice& device) {
     return storedDepth(device, 1 - nearDistance * inverseDepth, *random);
   };
   stages.passes = std::less<double>();
-  if (device.passes) stages.passes = device.passes;
+  stages.clearedDepth = 1;
+  if (device.passes) {
+    stages.passes = device.passes;
+    stages.clearedDepth.reset();
+  }
   stages.interpolate = [=](const SnappedTriangle& triangle, const SnappedPoint& position) {
     return texcoordOn(device, triangle, position);
   };

@@ -16,10 +16,11 @@ constexpr ItemId nothing = 0xffffffff;  // the background of the probes
 
 // --- snapping and edges ---
 
-constexpr std::int64_t pixelUnits = 16384;  // unit of a probe's corners
+constexpr std::int64_t pixelUnits = std::int64_t{1} << exactBits;  // unit of a probe's corners
 
 /// The multiple of `step` that a coordinate snaps to. Samples are multiples, so that the coordinate may be relative.
 std::int64_t snapTo(std::int64_t coordinate, std::int64_t step, SnapRounding rounding) {
+  if (rounding == SnapRounding::None) return coordinate;
   const std::int64_t raised = coordinate + (rounding == SnapRounding::Nearest ? step / 2 : 0);
   // Steps are powers of two: clearing the lower bits rounds down, also for negative numbers.
   return raised & -step;
@@ -59,6 +60,7 @@ Contradictions contradictionsOf(const ProbingSet& probes, std::span<const ItemBu
     for (std::size_t pixel = 0; pixel < probes.coverage[s].pixels.size(); ++pixel) {
       const CoverageProbe& shown = probes.coverage[s].pixels[order.isReversed ? opposite(pixel, answers[s]) : pixel];
       const CoverageProbe probe = order.isUpsideDown ? upsideDown(shown) : shown;
+      if (!probe.bits.contains(snapping.bits)) continue;
       const Coverage expected = coverageOf(probe, snapping.bits, snapping.rounding);
       const bool isCovered = expected == Coverage::Inside || expected == Coverage::OnIncludedEdge;
       const bool isSure = expected == Coverage::Inside || expected == Coverage::Outside;
@@ -68,11 +70,6 @@ Contradictions contradictionsOf(const ProbingSet& probes, std::span<const ItemBu
       (isSure || !isId ? contradictions.sure : contradictions.onEdges) += 1;
     }
   return contradictions;
-}
-
-std::string nameOf(const Snapping& snapping) {
-  return std::to_string(snapping.bits) + " bits, " +
-         (snapping.rounding == SnapRounding::Nearest ? "nearest" : "truncated");
 }
 
 /// The snapping with the fewest contradictions.
@@ -85,40 +82,95 @@ struct CoverageFit {
 
 CoverageFit fitCoverage(const ProbingSet& probes, std::span<const ItemBuffer> answers, const RowOrder& order) {
   std::optional<CoverageFit> best;
-  for (int bits = 4; bits <= 12; ++bits)
-    for (const SnapRounding rounding : {SnapRounding::Nearest, SnapRounding::Truncate}) {
-      const Snapping snapping{bits, rounding};
-      const Contradictions contradictions = contradictionsOf(probes, answers, snapping, order);
-      if (!best || contradictions.sure < best->contradictions.sure) best = {snapping, contradictions};
-    }
+  const auto consider = [&](const Snapping& snapping) {
+    const auto isFor = [&](const auto& sheet) { return sheet.pixels.front().bits.contains(snapping.bits); };
+    if (std::none_of(probes.coverage.begin(), probes.coverage.end(), isFor)) return;
+    const Contradictions contradictions = contradictionsOf(probes, answers, snapping, order);
+    if (!best || contradictions.sure < best->contradictions.sure) best = {snapping, contradictions};
+  };
+  for (int bits = 4; bits <= maxSubpixelBits; ++bits)
+    for (const SnapRounding rounding : {SnapRounding::Nearest, SnapRounding::Truncate}) consider({bits, rounding});
+  consider({exactBits, SnapRounding::None});
   return *best;
 }
 
+/// How two triangles cover the samples on an edge that they share.
+struct SharedEdges {
+  int pairs = 0, uncovered = 0, coveredTwice = 0, uneven = 0;  ///< pairs, and those that break each part of the rule
+  int unexpected = 0;                                          ///< pixels that do not follow the top-left rule
+};
+
+SharedEdges sharedEdgesOf(const ProbeSheet<SharedEdgeProbe>& sheet, const ItemBuffer& answer,
+                          const Snapping& snapping) {
+  SharedEdges edges;
+  for (std::size_t first = 0; first < sheet.pixels.size(); first += 8, ++edges.pairs) {
+    const auto shown = [&](std::size_t pixel) { return answer.ids[first + pixel]; };
+    bool isUncovered = false, isTwice = false, isUneven = false;
+    for (std::size_t k = 0; k < 8; ++k) {
+      const bool isFirst = coverageOf(sheet.pixels[first + k].triangles[0], snapping.bits, snapping.rounding) ==
+                           Coverage::OnIncludedEdge;
+      edges.unexpected += shown(k) != (isFirst ? 1u : 2u);
+      isUncovered |= shown(k) == nothing;
+      isTwice |= shown(k) != shown(k ^ 4);
+      isUneven |= shown(k) != shown(k & 4);
+    }
+    edges.uncovered += isUncovered;
+    edges.coveredTwice += !isUncovered && isTwice;
+    edges.uneven += !isUncovered && !isTwice && isUneven;
+  }
+  return edges;
+}
+
+/// Completes the edge rule, or reports a fault: exactly one of two triangles covers a sample on their edge.
+void calibrateSharedEdges(const ProbingSet& probes, std::span<const ItemBuffer> answers, const Snapping& snapping,
+                          Calibration& calibration) {
+  const auto isFor = [&](const auto& sheet) { return sheet.pixels[0].triangles[0].bits.contains(snapping.bits); };
+  const auto sheet = std::find_if(probes.sharedEdges.begin(), probes.sharedEdges.end(), isFor);
+  if (sheet == probes.sharedEdges.end()) return;
+  const SharedEdges edges =
+      sharedEdgesOf(*sheet, answers[static_cast<std::size_t>(sheet - probes.sharedEdges.begin())], snapping);
+  if (edges.unexpected > 0) calibration.profile.edgeRule = EdgeRule::Any;
+  const auto report = [&](int count, const std::string& what) {
+    if (count > 0)
+      calibration.faults.push_back("coverage: " + what + ", at " + std::to_string(count) + " of " +
+                                   std::to_string(edges.pairs) +
+                                   " edges; any fill rule gives each sample on it to one of the two triangles");
+  };
+  report(edges.uncovered, "samples on a shared edge are in neither triangle");
+  report(edges.coveredTwice, "samples on a shared edge are in both triangles");
+  report(edges.uneven, "the windings of two triangles decide which of them has the samples on their edge");
+}
+
+/// How the rows are reversed, if that explains all answers; else empty.
+std::string reversalOf(const ProbingSet& probes, std::span<const ItemBuffer> answers) {
+  const auto fits = [&](const RowOrder& order) { return fitCoverage(probes, answers, order).fitsAll(); };
+  if (fits({.isUpsideDown = true}))
+    return "samples on edges belong to bottom edges instead of top edges, as if the picture is drawn upside down and "
+           "its rows are reversed on readback; negate y in the vertex stage instead of reversing rows";
+  if (fits({.isReversed = true}))
+    return "the rows are in reverse order; row 0 is y/w = -1, so read the rows from the other end";
+  if (fits({.isReversed = true, .isUpsideDown = true}))
+    return "the picture is upside down; row 0 is y/w = -1, so negate y in the vertex stage";
+  return "";
+}
+
 /// False if the rows are not in order, so that other probes show nothing.
-bool calibrateCoverage(const ProbingSet& probes, std::span<const ItemBuffer> answers, Calibration& calibration) {
+bool calibrateCoverage(const ProbingSet& probes, std::span<const ItemBuffer> answers,
+                       std::span<const ItemBuffer> edgeAnswers, Calibration& calibration) {
   const CoverageFit fit = fitCoverage(probes, answers, {});
-  calibration.profile.subpixelBits = fit.snapping.bits;
+  calibration.profile.subpixelBits = std::min(fit.snapping.bits, maxSubpixelBits);
   calibration.profile.snapRounding = fit.snapping.rounding;
   calibration.profile.edgeRule = fit.contradictions.onEdges == 0 ? EdgeRule::TopLeft : EdgeRule::Any;
-  if (fit.fitsAll()) return true;
   // The edge rule Any would hide a picture that is upside down twice.
-  const auto fits = [&](const RowOrder& order) { return fitCoverage(probes, answers, order).fitsAll(); };
-  std::string reversal;
-  if (fits({.isUpsideDown = true}))
-    reversal =
-        "samples on edges belong to bottom edges instead of top edges, as if the picture is drawn upside down and its "
-        "rows are reversed on readback; negate y in the vertex stage instead of reversing rows";
-  else if (fits({.isReversed = true}))
-    reversal = "the rows are in reverse order; row 0 is y/w = -1, so read the rows from the other end";
-  else if (fits({.isReversed = true, .isUpsideDown = true}))
-    reversal = "the picture is upside down; row 0 is y/w = -1, so negate y in the vertex stage";
-  if (!reversal.empty()) {
+  if (const std::string reversal = fit.fitsAll() ? "" : reversalOf(probes, answers); !reversal.empty()) {
     calibration.faults.push_back("coverage: " + reversal);
     return false;
   }
   if (fit.contradictions.sure > 0)
-    calibration.faults.push_back("coverage: no snapping from 4 to 12 bits explains all samples; the closest, " +
-                                 nameOf(fit.snapping) + ", is wrong at " + std::to_string(fit.contradictions.sure));
+    calibration.faults.push_back("coverage: no snapping from 4 to 16 bits explains all samples; each is wrong at " +
+                                 std::to_string(fit.contradictions.sure) + " or more");
+  else
+    calibrateSharedEdges(probes, edgeAnswers, fit.snapping, calibration);
   return true;
 }
 
@@ -141,10 +193,9 @@ WrongTexels wrongTexels(std::span<const ProbeSheet<TexelProbe>> sheets, std::spa
   for (std::size_t s = 0; s < sheets.size(); ++s)
     for (std::size_t pixel = 0; pixel < sheets[s].pixels.size(); ++pixel) {
       const TexelProbe& probe = sheets[s].pixels[pixel];
-      const auto above = static_cast<ItemId>(probe.border), below = above - 1;
-      const ItemId id = answers[s].ids[pixel];
-      wrong.strangers += id != above && id != below;
-      if (id != (probe.isAbove ? above : below)) wrong.probes.push_back(probe);
+      const ItemId id = answers[s].ids[pixel], below = probe.above - 1;
+      wrong.strangers += id != probe.above && id != below;
+      if (id != (probe.isAbove ? probe.above : below)) wrong.probes.push_back(probe);
     }
   return wrong;
 }
@@ -214,13 +265,18 @@ Coverage coverageOf(const CoverageProbe& probe, int subpixelBits, SnapRounding r
 }
 
 Calibration calibrate(const ProbingSet& probes, std::span<const ItemBuffer> answers) {
-  const std::size_t texels = probes.coverage.size();
-  const std::size_t depths = texels + probes.texels.size() + probes.interpolation.size();
-  assert(answers.size() == depths + probes.depths.size());
+  const auto next = [&](std::size_t count) {
+    const std::span<const ItemBuffer> sheets = answers.first(count);
+    answers = answers.subspan(count);
+    return sheets;
+  };
+  const auto coverage = next(probes.coverage.size()), edges = next(probes.sharedEdges.size()),
+             texels = next(probes.texels.size() + probes.interpolation.size()), depths = next(probes.depths.size());
+  assert(answers.empty());
   Calibration calibration;
-  if (!calibrateCoverage(probes, answers.first(texels), calibration)) return calibration;
-  calibrateTexels(probes, answers.subspan(texels, depths - texels), calibration);
-  calibrateDepths(probes, answers.subspan(depths), calibration);
+  if (!calibrateCoverage(probes, coverage, edges, calibration)) return calibration;
+  calibrateTexels(probes, texels, calibration);
+  calibrateDepths(probes, depths, calibration);
   return calibration;
 }
 

@@ -1,12 +1,16 @@
 /// Calibration: computes the profile of a device (device_profile.h) from its answers to the probe vectors (probes.h).
 ///
-/// - Snapping: each number of bits from 4 to 12, rounded or truncated, predicts which samples are covered. The result
-///   is the snapping that contradicts no answer. Samples that a prediction puts on an edge determine the edge rule. If
-///   they follow the rule of a picture that is upside down, the rows are reversed twice, which is a fault.
+/// - Snapping: each number of bits from 4 to 16, rounded or truncated, predicts which samples are covered. The result
+///   is the snapping, or none, that contradicts no answer. Samples that a prediction puts on an edge determine the edge
+///   rule. If they follow the rule of a picture that is upside down, the
+///   rows are reversed twice, which is a fault.
+/// - Edges: of two triangles that share an edge exactly one covers a sample on it, whatever their windings and their
+///   order. Anything else is a fault, and no edge rule.
 /// - Texels: if a coordinate at some distance from a border shows the texel beyond it, its error is larger than that
 ///   distance. The precision is twice the largest such distance of small coordinates. The error is above half of the
-///   precision, and below the next larger distance. What large coordinates are off beyond it is rounding in binary32:
-///   the interpolation error is four times the largest number of roundings, at least 2.
+///   precision, and below the next larger distance. What large coordinates are off beyond it is rounding in binary32,
+///   of an interpolated coordinate or of the product u N: the interpolation error is four times the largest number of
+///   roundings, at least 2.
 /// - Depth: the finest format that distinguishes all differences that it must. Of two such formats it is float32 if the
 ///   device distinguishes depths close to 0 that 24-bit integers cannot.
 ///

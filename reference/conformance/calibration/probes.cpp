@@ -5,6 +5,7 @@
 #include <random>
 #include <string>
 
+#include "reference/conformance/suite/vector_suite.h"
 #include "reference/conformance/vectors/draw_list_builder.h"
 #include "reference/conformance/verdict/device_profile.h"
 
@@ -21,13 +22,15 @@ glm::ivec2 pointBetween(std::mt19937& random, int low, int high) {
   return glm::ivec2{between(random, low, high), between(random, low, high)};
 }
 
-constexpr int pixelUnits = 16384;
+constexpr int pixelUnits = 1 << exactBits;
+constexpr int coarseUnit = 16;  // of the corners for coarseBits, in units
 
 /// Corners relative to a sample, in units.
 using Corners = std::array<glm::ivec2, 3>;
 
-/// A corner that all snappings put on the same point of the coarsest grid; `point` is in sixteenths of a pixel.
-glm::ivec2 onGrid(const glm::ivec2& point) { return pixelUnits / 16 * point + 1; }
+/// A corner that all snappings put on the same point of the coarsest grid, if they are coarser than twice the offset;
+/// `point` is in sixteenths of a pixel.
+glm::ivec2 onGrid(const glm::ivec2& point, int offset = coarseUnit) { return pixelUnits / 16 * point + offset; }
 
 /// A corner of a pixel's triangle at depth w.
 glm::vec3 cornerPoint(const Picture& picture, std::size_t pixel, const glm::ivec2& corner, double w) {
@@ -38,47 +41,94 @@ glm::vec3 cornerPoint(const Picture& picture, std::size_t pixel, const glm::ivec
 
 // --- coverage ---
 
-/// In squared pixels.
-double areaOf(const Corners& corners) {
+/// In squared pixels; negative for the other winding.
+double signedArea(const Corners& corners) {
   const glm::dvec2 p(corners[1] - corners[0]), q(corners[2] - corners[0]);
-  return std::abs(p.x * q.y - p.y * q.x) / 2 / pixelUnits / pixelUnits;
+  return (p.x * q.y - p.y * q.x) / 2 / pixelUnits / pixelUnits;
 }
+
+double areaOf(const Corners& corners) { return std::abs(signedArea(corners)); }
 
 /// A triangle with an edge that passes the sample at about the distance by which `bits` of sub-pixel precision move its
 /// ends.
-Corners nearEdge(std::mt19937& random, int bits) {
-  constexpr int most = 7 * pixelUnits / 32;
-  const int step = pixelUnits >> bits;
+CoverageProbe nearEdge(std::mt19937& random, int bits, const BitRange& range) {
+  const int unit = range.first == coarseBits.first ? coarseUnit : 1;
+  const int step = (pixelUnits >> bits) / unit, most = 7 * pixelUnits / unit / 32;
   for (;;) {
     const glm::ivec2 start = 2 * pointBetween(random, -most, most) + 1;
     const glm::ivec2 nudge = 2 * (pointBetween(random, -step, step) / 2);
-    const Corners corners{start, nudge - start, 2 * pointBetween(random, -most, most) + 1};
-    if (areaOf(corners) > 0.03) return corners;
+    const glm::ivec2 end = 2 * pointBetween(random, -most, most) + 1;
+    const Corners corners{unit * start, unit * (nudge - start), unit * end};
+    if (areaOf(corners) > 0.03) return {corners, range};
   }
 }
 
-/// A triangle with an edge through the sample, for all snappings.
-Corners throughSample(std::mt19937& random) {
+/// A triangle with an edge through the sample, for all snappings of coarseBits.
+CoverageProbe throughSample(std::mt19937& random) {
   for (;;) {
     const glm::ivec2 start = pointBetween(random, -7, 7);
     const Corners corners{onGrid(start), onGrid(-start), onGrid(pointBetween(random, -7, 7))};
-    if (areaOf(corners) > 0.01) return corners;
+    if (areaOf(corners) > 0.01) return {corners, coarseBits};
   }
 }
 
-template <typename MakeCorners>
+/// Adds a triangle at a pixel to the last draw.
+void addProbe(Picture& picture, std::size_t pixel, const CoverageProbe& probe, double w) {
+  const auto point = [&](std::size_t k) { return cornerPoint(picture, pixel, probe.corners[k], w); };
+  addTriangle(picture, {point(0), point(1), point(2)});
+}
+
+template <typename MakeProbe>
 ProbeSheet<CoverageProbe> coverageSheet(const std::string& name, const std::string& catches,
-                                        const MakeCorners& makeCorners) {
+                                        const MakeProbe& makeProbe) {
   ProbeSheet<CoverageProbe> sheet;
   Picture picture(16);
   addDraw(picture, 1);
-  for (std::size_t pixel = 0; pixel < 256; ++pixel) {
-    const Corners corners = makeCorners();
-    const auto point = [&](std::size_t k) { return cornerPoint(picture, pixel, corners[k], 1); };
-    addTriangle(picture, {point(0), point(1), point(2)});
-    sheet.pixels.push_back({corners});
+  for (int pixel = 0; pixel < 256; ++pixel) {
+    sheet.pixels.push_back(makeProbe(pixel));
+    addProbe(picture, static_cast<std::size_t>(pixel), sheet.pixels.back(), 1);
   }
   sheet.vector = makeVector(name, catches, picture);
+  return sheet;
+}
+
+/// Two triangles on either side of an edge through the sample.
+std::array<Corners, 2> besideEdge(std::mt19937& random, int offset) {
+  for (;;) {
+    const glm::ivec2 start = pointBetween(random, -7, 7), left = pointBetween(random, -7, 7),
+                     right = pointBetween(random, -7, 7);
+    const glm::ivec2 from = onGrid(start, offset), to = onGrid(-start, offset);
+    const std::array<Corners, 2> pair{Corners{from, to, onGrid(left, offset)},
+                                      Corners{from, to, onGrid(right, offset)}};
+    if (signedArea(pair[0]) > 0.01 && signedArea(pair[1]) < -0.01) return pair;
+  }
+}
+
+/// Pixel 8 k + v shows pair k: bits 0 and 1 of v reverse the windings of the triangles, bit 2 the order of drawing.
+ProbeSheet<SharedEdgeProbe> sharedEdgeSheet(const std::string& name, std::mt19937& random, const BitRange& bits,
+                                            int offset) {
+  ProbeSheet<SharedEdgeProbe> sheet;
+  Picture picture(16);
+  std::array<Corners, 2> pair;
+  for (std::size_t pixel = 0; pixel < 256; ++pixel) {
+    if (pixel % 8 == 0) pair = besideEdge(random, offset);
+    SharedEdgeProbe probe{{{{pair[0], bits}, {pair[1], bits}}}};
+    for (std::size_t t = 0; t < 2; ++t) {
+      Corners& corners = probe.triangles[t].corners;
+      if (pixel >> t & 1) std::swap(corners[0], corners[1]);
+      // The shared edge begins at any of the corners.
+      std::rotate(corners.begin(), corners.begin() + static_cast<std::ptrdiff_t>((pixel / 8 + t) % 3), corners.end());
+    }
+    sheet.pixels.push_back(probe);
+  }
+  for (const bool isLast : {false, true})
+    for (const std::size_t t : {0u, 1u}) {
+      addDraw(picture, static_cast<raster::ItemId>(t + 1));
+      for (std::size_t pixel = 0; pixel < 256; ++pixel)
+        if (((pixel & 4) != 0) == (isLast == (t == 0)))
+          addProbe(picture, pixel, sheet.pixels[pixel].triangles[t], isLast ? 1 : 2);
+    }
+  sheet.vector = makeVector(name, "samples on shared edges that both triangles cover, or none", picture);
   return sheet;
 }
 
@@ -114,8 +164,8 @@ TexelProbe texelProbe(const TexelTriangle& triangle, int texels, const BorderCoo
   // The offset is 0 or much larger than its rounding here, and a coordinate on the border belongs to the texel above.
   constexpr double roundoff = 0x1p-36;
   const double largest = std::max({std::abs(corners.x), std::abs(corners.y), std::abs(corners.z)});
-  return {coordinates.border, std::abs(offset) < roundoff ? 0 : std::abs(offset), offset > -roundoff,
-          0x1p-24 * texels * largest * triangle.depthRatio()};
+  return {static_cast<raster::ItemId>(coordinates.border), std::abs(offset) < roundoff ? 0 : std::abs(offset),
+          offset > -roundoff, 0x1p-24 * texels * largest * triangle.depthRatio()};
 }
 
 /// Half of the pixels of each row test u, half test v, in index maps of `texels` texels.
@@ -180,6 +230,27 @@ ProbeSheet<TexelProbe> largeCoordinates(const std::string& name, const TexelTria
     const double position = (border + (isAbove ? distance : -distance)) / texels;
     return BorderCoordinates{border, glm::vec3(position * (1.0 + slope))};
   });
+}
+
+/// The vector of the suite with the binary32 numbers around each k/N, where N is no power of two: a product u N that is
+/// rounded to binary32 reaches the border from below. Pixels whose item ID is sure anyway have a distance of 1.
+ProbeSheet<TexelProbe> productSheet(int texels) {
+  ProbeSheet<TexelProbe> sheet{texelBorders(texels), {}};
+  const raster::DrawList& list = sheet.vector.list;
+  const raster::Scissor& scissor = sheet.vector.faces.front().face.scissor;
+  for (const raster::Draw& draw : list.draws)
+    for (std::uint32_t i = draw.first; i < draw.first + draw.count; i += 3) {
+      const bool isU = list.indexMaps[static_cast<std::size_t>(*draw.indexMap)].width == texels;
+      const glm::vec2& texcoord = list.texcoords[list.indices[i]];
+      const double position = static_cast<double>(isU ? texcoord.x : texcoord.y) * texels;
+      const double border = std::nearbyint(position), offset = position - border;
+      const bool isInside = border > 0 && border < texels;
+      sheet.pixels.push_back({draw.offset + static_cast<raster::ItemId>(std::clamp(border, 0.0, texels - 1.0)),
+                              isInside ? std::abs(offset) : 1, !isInside || offset >= 0, 0x1p-24 * position});
+    }
+  const TexelProbe background{raster::backgroundId(list.format), 1, true, 1};
+  sheet.pixels.resize(static_cast<std::size_t>(scissor.width) * static_cast<std::size_t>(scissor.height), background);
+  return sheet;
 }
 
 // --- depths ---
@@ -255,13 +326,20 @@ ProbeSheet<DepthProbe> fineSteps() {
 ProbingSet makeProbes() {
   ProbingSet probes;
   std::mt19937 random(4);
-  for (int bits = 4; bits <= 12; ++bits)
-    probes.coverage.push_back(
-        coverageSheet("snapping-" + std::to_string(bits),
-                      "sub-pixel bits and rounding of vertices, most of all of " + std::to_string(bits) + " bits",
-                      [&] { return nearEdge(random, bits); }));
+  const auto addSnapping = [&](int bits, const auto& makeProbe) {
+    const std::string text = std::to_string(bits);
+    probes.coverage.push_back(coverageSheet(
+        "snapping-" + text, "sub-pixel bits and rounding of vertices, most of all of " + text + " bits", makeProbe));
+  };
+  for (int bits = 4; bits <= 12; ++bits) addSnapping(bits, [&](int) { return nearEdge(random, bits, coarseBits); });
   probes.coverage.push_back(
-      coverageSheet("edge-rule", "which samples on edges are covered", [&] { return throughSample(random); }));
+      coverageSheet("edge-rule", "which samples on edges are covered", [&](int) { return throughSample(random); }));
+  // Every other probe shows that a device has at least 13 bits.
+  for (int bits = 13; bits <= 16; ++bits)
+    addSnapping(bits, [&](int pixel) { return nearEdge(random, pixel % 2 == 0 ? bits : 4 + pixel / 2 % 9, fineBits); });
+  probes.sharedEdges = {sharedEdgeSheet("shared-edges", random, coarseBits, coarseUnit),
+                        sharedEdgeSheet("shared-edges-fine", random, {13, 16}, 1),
+                        sharedEdgeSheet("shared-edges-exact", random, {exactBits, exactBits}, 0)};
   // A third each: the sums of slopes, and of slopes/w, are zero.
   const glm::dvec3 flat(1), sloping(1, 2, 4);
   probes.texels = {smallCoordinates("texels-constant", flat, {0, 0, 0}),
@@ -280,6 +358,7 @@ ProbingSet makeProbes() {
       largeCoordinates("interpolation-linear", narrow, 4096, slopeOf(narrow, 1.0 / 64)),
       largeCoordinates("interpolation-grazing", grazing, 256, glm::dvec3(0.0)),
       largeCoordinates("interpolation-perspective", grazing, 256, slopeOf(grazing, -1.0 / 256)),
+      productSheet(1000),
   };
   probes.depths = {formatSteps(), fineSteps()};
   return probes;
@@ -288,6 +367,7 @@ ProbingSet makeProbes() {
 std::vector<TestVector> vectorsOf(const ProbingSet& probes) {
   std::vector<TestVector> vectors;
   for (const auto& sheet : probes.coverage) vectors.push_back(sheet.vector);
+  for (const auto& sheet : probes.sharedEdges) vectors.push_back(sheet.vector);
   for (const auto& sheet : probes.texels) vectors.push_back(sheet.vector);
   for (const auto& sheet : probes.interpolation) vectors.push_back(sheet.vector);
   for (const auto& sheet : probes.depths) vectors.push_back(sheet.vector);

@@ -151,14 +151,9 @@ Variant withoutCutTriangles() {
 std::vector<Variant> coarseGrids() {
   std::vector<Variant> variants;
   for (const int bits : {0, 1, 2, 3, 4, 5, 6})
-    for (const bool isNearest : {true, false}) {
-      const double unit = std::ldexp(256.0, -bits);
-      const auto snap = [=](double position) {
-        return unit * (isNearest ? std::nearbyint(position / unit) : std::floor(position / unit));
-      };
+    for (const bool isNearest : {true, false})
       variants.push_back({std::to_string(bits) + " bits, " + (isNearest ? "rounded to nearest" : "truncated"),
-                          withGeometry(&StagedGeometry::snap, snap)});
-    }
+                          withStage(&StagedDevice::geometry, snappedTo(bits, isNearest))});
   return variants;
 }
 

@@ -72,6 +72,32 @@ std::optional<ItemId> shade(const StagedDevice& device, const UploadedList& uplo
   return showsBack ? *draw.back : device.blend(list, draw.offset, texel);
 }
 
+/// Whether the triangle covers a position, in sub-pixels over `unit`.
+bool coversAt(const StagedDevice& device, const SnappedTriangle& triangle, const raster::SnappedPoint& position,
+              const raster::Weights& weights, std::int64_t unit) {
+  if (device.widening == 0) return covers(triangle, weights, device.ownsSamples);
+  const std::int64_t reach = device.widening * unit;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const raster::SnappedPoint along = directionOf(triangle, k);
+    if (weights[k] + reach * (std::abs(along.x) + std::abs(along.y)) < 0) return false;
+  }
+  const auto& [a, b, c] = triangle.corners;
+  const auto isNear = [reach](const std::pair<std::int64_t, std::int64_t>& range, std::int64_t at) {
+    return range.first - reach <= at && at <= range.second + reach;
+  };
+  return isNear(std::minmax({a.x, b.x, c.x}), position.x) && isNear(std::minmax({a.y, b.y, c.y}), position.y);
+}
+
+/// The largest change of 1/w per pixel.
+double slopeOf(const SnappedTriangle& triangle, std::int64_t pixelSize) {
+  const auto at = [&](std::int64_t x, std::int64_t y) {
+    const auto overDepth = raster::weightsOverDepth<double>(triangle, weightsAt(triangle, {x, y}));
+    return overDepth[0] + overDepth[1] + overDepth[2];
+  };
+  const double origin = at(0, 0);
+  return std::max(std::abs(at(pixelSize, 0) - origin), std::abs(at(0, pixelSize) - origin));
+}
+
 /// A sample of the target.
 struct Sample {
   std::optional<double> depth;  ///< without one, any fragment passes
@@ -89,6 +115,7 @@ void drawTriangle(const StagedDevice& device, const UploadedList& uploaded, cons
   if (columns.first >= columns.end || rows.first >= rows.end) return;
   const Facing facing = device.facing(triangle.facesAway ? Facing::Back : Facing::Front, view);
   if (facing == Facing::Culled || isCulled(uploaded.list.draws[triangle.draw], facing == Facing::Back)) return;
+  const double bias = device.depthBias == 0 ? 0 : device.depthBias * slopeOf(triangle, pixelSize);
   for (int row = rows.first; row < rows.end; ++row)
     for (int column = columns.first; column < columns.end; ++column) {
       const auto inPixel = [&](const raster::SnappedPoint& p) {
@@ -96,13 +123,15 @@ void drawTriangle(const StagedDevice& device, const UploadedList& uploaded, cons
       };
       const int pixel = (row - scissor.row) * scissor.width + column - scissor.column;
       for (std::size_t s = 0; s < device.samples.size(); ++s) {
-        const raster::Weights weights = weightsAt(triangle, inPixel(device.samples[s]));
-        if (!covers(triangle, weights, device.ownsSamples)) continue;
+        const raster::SnappedPoint position = inPixel(device.samples[s]);
+        const raster::Weights weights = weightsAt(triangle, position);
+        if (!coversAt(device, triangle, position, weights, unit)) continue;
         Sample& sample = target[static_cast<std::size_t>(pixel) * device.samples.size() + s];
         const double depth =
-            device.depth(coveredSample(triangle, weights).inverseDepth, static_cast<double>(view.nearDistance));
+            device.depth(coveredSample(triangle, weights).inverseDepth, static_cast<double>(view.nearDistance)) + bias;
         if (sample.depth && !device.passes(depth, *sample.depth)) continue;
-        if (const auto id = shade(device, uploaded, triangle, facing, inPixel(device.shadingSample)))
+        const raster::SnappedPoint shaded = device.shadesSamples ? position : inPixel(device.shadingSample);
+        if (const auto id = shade(device, uploaded, triangle, facing, shaded))
           sample = {depth, device.store(sample.id, *id)};
       }
     }
@@ -144,7 +173,8 @@ raster::ItemBuffer drawFace(const StagedDevice& device, const UploadedList& uplo
   raster::ItemBuffer buffer;
   buffer.resize(view.scissor);
   const std::size_t perPixel = device.samples.size();
-  std::vector<Sample> target(buffer.ids.size() * perPixel, {{}, raster::backgroundId(uploaded.list.format)});
+  std::vector<Sample> target(buffer.ids.size() * perPixel,
+                             {device.clearedDepth, raster::backgroundId(uploaded.list.format)});
   const auto placeOf = [&](std::size_t sample) {
     const glm::ivec2 pixel = pixelAt(view.scissor, sample / perPixel);
     return std::array{pixel.x, pixel.y, static_cast<int>(sample % perPixel)};
@@ -163,6 +193,15 @@ raster::ItemBuffer drawFace(const StagedDevice& device, const UploadedList& uplo
 }
 
 }  // namespace
+
+StagedGeometry snappedTo(int bits, bool isNearest) {
+  const double unit = std::ldexp(256.0, -bits);
+  StagedGeometry geometry;
+  geometry.snap = [=](double position) {
+    return unit * (isNearest ? std::nearbyint(position / unit) : std::floor(position / unit));
+  };
+  return geometry;
+}
 
 glm::dvec3 weightedSum(const SnappedTriangle& triangle, const raster::Weights& edges, double (*weight)(double)) {
   glm::dvec3 sum(0.0);

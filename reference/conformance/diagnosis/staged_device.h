@@ -32,6 +32,9 @@ struct StagedGeometry {
   std::int64_t fineness = 1;
 };
 
+/// Snaps to a grid of 2^bits positions per pixel: to the nearest one, or down.
+StagedGeometry snappedTo(int bits, bool isNearest);
+
 enum class Facing { Front, Back, Culled };
 
 /// The facing for the opposite winding.
@@ -77,16 +80,26 @@ struct StagedDevice {
   /// Whether samples on an edge are covered, from its direction.
   std::function<bool(const raster::SnappedPoint&)> ownsSamples = raster::ownsSamples;
 
+  /// How far edges are moved outwards along each axis, in sub-pixels: conservative rasterization has half a pixel.
+  std::int64_t widening = 0;
+
   /// Positions in a pixel: the samples of coverage and depth, and the sample of texture coordinates.
   std::vector<raster::SnappedPoint> samples{{128, 128}};
   raster::SnappedPoint shadingSample{128, 128};
+  bool shadesSamples = false;  ///< whether each sample has its own texture coordinates
 
-  /// The stored depth, from 1/w and the near distance, and the depth test. The first fragment always passes. The test
-  /// has a tolerance, so that rounding does not decide between equal depths.
+  /// The stored depth, from 1/w and the near distance, and the depth test. The test has a tolerance, so that rounding
+  /// does not decide between equal depths.
   std::function<double(double, double)> depth = [](double inverseW, double) { return -inverseW; };
   std::function<bool(double, double)> passes = [](double incoming, double stored) {
     return incoming < stored - 0x1p-40 * std::abs(stored);
   };
+
+  /// Times the largest change of the depth 1/w per pixel, it is added to the depth.
+  double depthBias = 0;
+
+  /// The depth of a cleared sample; without one the first fragment of a sample passes.
+  std::optional<double> clearedDepth;
 
   /// Whether a face starts with the depths that earlier faces left in its pixels.
   bool keepsDepth = false;

@@ -10,34 +10,6 @@ namespace {
 /// Aligned above every index of the maps below, so that item IDs of u and of v differ.
 constexpr raster::ItemId mark = 0x10000;
 
-/// The binary32 numbers next below k/N, nearest to it and next above it, for all k from 0 to N: each fills a pixel, the
-/// texel's number its item ID. Along u first, then along v with the mark.
-TestVector borderSteps(int texels) {
-  std::vector<float> steps;
-  for (int k = 0; k <= texels; ++k) {
-    const float border = static_cast<float>(static_cast<double>(k) / texels);
-    steps.insert(steps.end(), {std::nextafter(border, -1.0f), border, std::nextafter(border, 2.0f)});
-  }
-  const int pixels = 2 * static_cast<int>(steps.size());
-  int resolution = 2;
-  while (resolution * resolution < pixels) resolution += 2;
-
-  Picture picture(resolution);
-  picture.indexMaps = {countingMap(texels, 1), countingMap(1, texels)};
-  int pixel = 0;
-  for (const bool isU : {true, false}) {
-    addDraw(picture, isU ? 0 : mark, {}, isU ? 0 : 1);
-    for (const float step : steps) {
-      const glm::vec2 texcoord = isU ? glm::vec2(step, 0.5f) : glm::vec2(0.5f, step);
-      picture.addPixel(pixel % resolution, pixel / resolution, 1, texcoord);
-      ++pixel;
-    }
-  }
-  return makeVector("texels-" + std::to_string(texels),
-                    "u N rounded before its floor is taken, and half-texel shifts, beside k/" + std::to_string(texels),
-                    picture);
-}
-
 /// A picture with one textured draw.
 Picture mapped(Picture picture, raster::IndexMap map) {
   picture.indexMaps.push_back(std::move(map));
@@ -171,9 +143,35 @@ TestVector manyMaps() {
 
 }  // namespace
 
+TestVector texelBorders(int texels) {
+  std::vector<float> steps;
+  for (int k = 0; k <= texels; ++k) {
+    const float border = static_cast<float>(static_cast<double>(k) / texels);
+    steps.insert(steps.end(), {std::nextafter(border, -1.0f), border, std::nextafter(border, 2.0f)});
+  }
+  const int pixels = 2 * static_cast<int>(steps.size());
+  int resolution = 2;
+  while (resolution * resolution < pixels) resolution += 2;
+
+  Picture picture(resolution);
+  picture.indexMaps = {countingMap(texels, 1), countingMap(1, texels)};
+  int pixel = 0;
+  for (const bool isU : {true, false}) {
+    addDraw(picture, isU ? 0 : mark, {}, isU ? 0 : 1);
+    for (const float step : steps) {
+      const glm::vec2 texcoord = isU ? glm::vec2(step, 0.5f) : glm::vec2(0.5f, step);
+      picture.addPixel(pixel % resolution, pixel / resolution, 1, texcoord);
+      ++pixel;
+    }
+  }
+  return makeVector("texels-" + std::to_string(texels),
+                    "u N rounded before its floor is taken, and half-texel shifts, beside k/" + std::to_string(texels),
+                    picture);
+}
+
 std::vector<TestVector> texelVectors() {
   std::vector<TestVector> vectors;
-  for (const int texels : {1, 3, 7, 100, 255, 256, 257, 1000, 1024}) vectors.push_back(borderSteps(texels));
+  for (const int texels : {1, 3, 7, 100, 255, 256, 257, 1000, 1024}) vectors.push_back(texelBorders(texels));
   for (const auto& make : {perspectiveFloor, perspectiveTwist, perspectiveClipped, bordersOnSamples, clampedCoordinates,
                            rectangularMap, magnified, minified, manyMaps, constantCoordinates, fineCoordinates})
     vectors.push_back(make());

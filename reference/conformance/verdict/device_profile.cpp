@@ -16,8 +16,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 using raster::InputError;
 
-constexpr std::array<Named<SnapRounding>, 2> snapRoundingNames{
-    {{SnapRounding::Nearest, "nearest"}, {SnapRounding::Truncate, "truncate"}}};
+constexpr std::array<Named<SnapRounding>, 3> snapRoundingNames{
+    {{SnapRounding::Nearest, "nearest"}, {SnapRounding::Truncate, "truncate"}, {SnapRounding::None, "none"}}};
 constexpr std::array<Named<EdgeRule>, 2> edgeRuleNames{{{EdgeRule::TopLeft, "top-left"}, {EdgeRule::Any, "any"}}};
 constexpr std::array<Named<DepthFormat>, 3> depthFormatNames{
     {{DepthFormat::Float32, "float32"}, {DepthFormat::Unorm24, "unorm24"}, {DepthFormat::Unorm16, "unorm16"}}};
@@ -35,8 +35,8 @@ void readBound(const Json& value, const std::string& key, double& target) {
 }
 
 void readSubpixelBits(const Json& value, const std::string& key, int& target) {
-  if (!value.is_number_integer() || value < 4 || value > 12)
-    throw InputError("\"" + key + "\" is " + shortText(value), "use a whole number from 4 to 12");
+  if (!value.is_number_integer() || value < 4 || value > maxSubpixelBits)
+    throw InputError("\"" + key + "\" is " + shortText(value), "use a whole number from 4 to 16");
   target = value.get<int>();
 }
 

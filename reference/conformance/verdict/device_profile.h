@@ -15,6 +15,7 @@ namespace hemitex::reference {
 enum class SnapRounding {
   Nearest,   ///< to the nearest sub-pixel, ties either way
   Truncate,  ///< down to the next sub-pixel
+  None,      ///< vertices are not snapped, whatever the number of bits
 };
 
 enum class EdgeRule {
@@ -24,12 +25,14 @@ enum class EdgeRule {
 
 enum class DepthFormat { Float32, Unorm24, Unorm16 };
 
+constexpr int maxSubpixelBits = 16;
+
 /// The default is a device of the Vulkan and Direct3D class.
 struct DeviceProfile {
   /// Number of roundings in the vertex stage, each 2^-24 of the sum of absolute values of its terms: 4 of the rules,
   /// and 4 of a device that multiplies by a 4x4 matrix, in any order, fused or not.
   double vertexError = 8;
-  int subpixelBits = 8;  ///< 4 to 12
+  int subpixelBits = 8;  ///< 4 to maxSubpixelBits
   SnapRounding snapRounding = SnapRounding::Nearest;
   EdgeRule edgeRule = EdgeRule::TopLeft;
   double texelPrecision = 1.0 / 256;  ///< error of a texture coordinate, in texels
@@ -55,10 +58,10 @@ double depthError(const DeviceProfile& profile);
 double texelError(const DeviceProfile& profile, double size, double largest, double nearestDepth, double inverseDepth);
 
 /// Reads a JSON object with any of the keys `version`, `vertex_error`, `subpixel_bits`, `snap_rounding` ("nearest",
-/// "truncate"), `edge_rule` ("top-left", "any"), `texel_precision`, `interpolation_error`, `depth_format` ("float32",
-/// "unorm24", "unorm16"), `depth_tolerance`, `loose_clipping`, `strict_depth`; an absent key keeps its default. Version
-/// 1, which files without `version` have, knows no `interpolation_error`. Throws InputError for an unknown key, a value
-/// of the wrong type or out of range, and a file that cannot be read.
+/// "truncate", "none"), `edge_rule` ("top-left", "any"), `texel_precision`, `interpolation_error`, `depth_format`
+/// ("float32", "unorm24", "unorm16"), `depth_tolerance`, `loose_clipping`, `strict_depth`; an absent key keeps its
+/// default. Version 1, which files without `version` have, knows no `interpolation_error`. Throws InputError for an
+/// unknown key, a value of the wrong type or out of range, and a file that cannot be read.
 DeviceProfile readProfile(const std::filesystem::path& file);
 
 /// The same from the text of such a file.

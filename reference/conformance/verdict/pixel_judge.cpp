@@ -169,7 +169,7 @@ double certainDepth(const JudgedFace& face, const std::vector<Candidate>& candid
   double depth = 0;
   for (const Sheet& sheet : sheets)
     if (sheet.winding != 0 && !sheet.hasBoundary) depth = std::max(depth, sheet.farthest);
-  return depth;
+  return depth > face.cleared ? depth : 0;
 }
 
 // --- possible item IDs of a triangle ---
@@ -217,10 +217,10 @@ const Candidate* expectedOf(const std::vector<Candidate>& candidates) {
 
 JudgedFace judgedFace(const raster::DrawList& list, const raster::Face& face, const DeviceProfile& profile) {
   // Two stored depths 1 - n/w are each off by the error, and differ by n times the difference of 1/w.
-  const double nearDistance = face.nearDistance;
+  const double nearDistance = face.nearDistance, error = depthError(profile) / nearDistance;
   std::vector<char> holes;
   for (const raster::IndexMap& map : list.indexMaps) holes.push_back(raster::hasHoles(map));
-  return {list, profile, 2 * depthError(profile) / nearDistance, 1 / nearDistance, std::move(holes)};
+  return {list, profile, 2 * error, 1 / nearDistance, error, std::move(holes)};
 }
 
 PixelVerdict judgeId(const JudgedFace& face, std::span<const DeviceTriangle* const> triangles,

@@ -35,6 +35,7 @@ struct JudgedFace {
   const DeviceProfile& profile;
   double depthTolerance;       ///< of 1/w, between two triangles
   double nearest;              ///< 1/w at the near plane
+  double cleared;              ///< 1/w that may be stored as the cleared depth, whose fragments the background hides
   std::vector<char> hasHoles;  ///< one per index map
 };
 

@@ -32,6 +32,7 @@ double snapUnit(const DeviceProfile& profile) { return std::ldexp(256.0, -profil
 
 /// The maximum distance from `snapped` at which a device snaps a position that it knows up to `error`.
 double reachOf(const DeviceProfile& profile, double position, double error, double snapped) {
+  if (profile.snapRounding == SnapRounding::None) return std::abs(position - snapped) + error;
   const double unit = snapUnit(profile);
   const double low = (position - error) / unit, high = (position + error) / unit;
   const bool nearest = profile.snapRounding == SnapRounding::Nearest;
@@ -43,6 +44,7 @@ double reachOf(const DeviceProfile& profile, double position, double error, doub
 /// The same for a vertex anywhere on an edge: the maximum snapping error of the device and of the rules.
 double looseReachOf(const DeviceProfile& profile, double error) {
   const double ours = 0.5;
+  if (profile.snapRounding == SnapRounding::None) return error + ours;
   return error + ours + snapUnit(profile) * (profile.snapRounding == SnapRounding::Nearest ? 0.5 : 1);
 }
 

@@ -4,12 +4,18 @@ import type {Profile} from "../core";
 
 type Row = [property: string, value: string, meaning: string];
 
+const snappings: Record<string, string> = {
+  nearest: "to the nearest grid point",
+  truncate: "down to a grid point",
+  none: "corners stay between grid points",
+};
+
 function snappingRows(profile: Profile): Row[] {
   const bits = Number(profile.subpixel_bits);
-  const isNearest = profile.snap_rounding === "nearest";
+  const rounding = String(profile.snap_rounding);
   return [
     ["sub-pixel bits", String(bits), `corners lie on a grid of 1/${2 ** bits} pixel`],
-    ["snapping", String(profile.snap_rounding), isNearest ? "to the nearest grid point" : "down to a grid point"],
+    ["snapping", rounding, snappings[rounding]],
   ];
 }
 

@@ -5,12 +5,16 @@
 #include <bit>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <optional>
+#include <set>
 
 #include "reference/conformance/scenes/scene_vectors.h"
 #include "reference/conformance/suite/vector_suite.h"
+#include "reference/conformance/vectors/draw_list_builder.h"
 #include "reference/conformance/vectors/random_vectors.h"
 #include "reference/conformance/verdict/verdict.h"
 #include "tests/support/injected_faults.h"
+#include "tests/support/staged_drawing.h"
 
 using namespace hemitex;
 using reference::Calibration;
@@ -32,6 +36,18 @@ std::vector<raster::ItemBuffer> drawProbes(const SimulatedDevice& device, const 
   return answers;
 }
 
+/// The answers of a device with another fill rule.
+std::vector<raster::ItemBuffer> drawProbes(const SimulatedDevice& device,
+                                           const std::function<bool(const raster::SnappedPoint&)>& ownsSamples,
+                                           const reference::ProbingSet& probes) {
+  reference::StagedDevice stages = stagedDeviceOf(device);
+  stages.ownsSamples = ownsSamples;
+  std::vector<raster::ItemBuffer> answers;
+  for (const reference::TestVector& vector : vectorsOf(probes))
+    answers.push_back(tests::drawAll(stages, vector).front());
+  return answers;
+}
+
 std::vector<raster::ItemBuffer> drawByRules(const reference::ProbingSet& probes) {
   std::vector<raster::ItemBuffer> answers;
   for (const reference::TestVector& vector : vectorsOf(probes)) answers.push_back(reference::render(vector).front());
@@ -47,12 +63,14 @@ void reverseRows(raster::ItemBuffer& buffer) {
 /// Devices of all snappings, both edge rules, texel precisions from coarse to exact, and all depth formats.
 std::vector<SimulatedDevice> devices() {
   std::vector<SimulatedDevice> devices;
-  for (int bits = 4; bits <= 12; ++bits)
+  for (int bits = 4; bits <= 16; ++bits)
     for (const SnapRounding rounding : {SnapRounding::Nearest, SnapRounding::Truncate}) {
       const int number = static_cast<int>(devices.size());
       SimulatedDevice device;
       device.profile.subpixelBits = bits;
       device.profile.snapRounding = rounding;
+      // Finer snapping is of use only with finer positions.
+      if (bits > 12) device.profile.vertexError = 1;
       // The steps share no factor with the counts of their ranges, and differ from each other.
       device.profile.texelPrecision = std::ldexp(1 + number % 4 / 4.0, -4 - number * 5 % 13);
       constexpr DepthFormat formats[] = {DepthFormat::Float32, DepthFormat::Unorm24, DepthFormat::Unorm16};
@@ -63,6 +81,26 @@ std::vector<SimulatedDevice> devices() {
       devices.push_back(device);
     }
   return devices;
+}
+
+/// A device that errs in nothing but what a test lets it do.
+SimulatedDevice exactDevice(int bits = 8, SnapRounding rounding = SnapRounding::Nearest) {
+  SimulatedDevice device;
+  device.profile.vertexError = 0;
+  device.profile.texelPrecision = 0;
+  device.profile.depthTolerance = 0.5;
+  device.profile.subpixelBits = bits;
+  device.profile.snapRounding = rounding;
+  return device;
+}
+
+/// Multiplies u and v by N and M in binary32, as the OpenGL stack of an H200 did without being asked.
+SimulatedDevice deviceWithRoundedProducts() {
+  SimulatedDevice device = exactDevice();
+  device.fetch = [](const raster::IndexMap& map, const glm::dvec2& at) {
+    return reference::texelAt(map, glm::dvec2(glm::vec2(at)));
+  };
+  return device;
 }
 
 /// Draws the vectors. Pixels that the default profile explains are explained by `profile`, too, and no pixel is an
@@ -101,38 +139,53 @@ std::uint64_t errorsOf(const SimulatedDevice& device, const std::vector<referenc
 
 TEST_CASE("coverageOf differs for any two snappings on some probe, for both edge rules", "[calibration]") {
   const reference::ProbingSet probes = reference::makeProbes();
-  const auto sureAnswers = [&](int bits, SnapRounding rounding) {
-    std::vector<Coverage> coverage;
-    for (const auto& sheet : probes.coverage)
-      for (const reference::CoverageProbe& probe : sheet.pixels) coverage.push_back(coverageOf(probe, bits, rounding));
-    return coverage;
+  struct Snapping {
+    int bits;
+    SnapRounding rounding;
   };
-  std::vector<std::vector<Coverage>> answers;
-  for (int bits = 4; bits <= 12; ++bits)
+  std::vector<Snapping> snappings{{reference::exactBits, SnapRounding::None}};
+  for (int bits = 4; bits <= 16; ++bits)
     for (const SnapRounding rounding : {SnapRounding::Nearest, SnapRounding::Truncate})
-      answers.push_back(sureAnswers(bits, rounding));
-  std::size_t fewest = answers[0].size();
-  for (std::size_t a = 0; a < answers.size(); ++a)
-    for (std::size_t b = 0; b < a; ++b) {
-      std::size_t different = 0;
-      for (std::size_t k = 0; k < answers[a].size(); ++k)
-        different += (answers[a][k] == Coverage::Inside && answers[b][k] == Coverage::Outside) ||
-                     (answers[a][k] == Coverage::Outside && answers[b][k] == Coverage::Inside);
-      fewest = std::min(fewest, different);
+      snappings.push_back({bits, rounding});
+  // On the probes of the one that is assumed.
+  const auto contradictionsOf = [&](const Snapping& is, const Snapping& assumed) {
+    std::size_t different = 0;
+    for (const auto& sheet : probes.coverage)
+      for (const reference::CoverageProbe& probe : sheet.pixels) {
+        if (!probe.bits.contains(assumed.bits)) continue;
+        const Coverage a = coverageOf(probe, is.bits, is.rounding),
+                       b = coverageOf(probe, assumed.bits, assumed.rounding);
+        different +=
+            (a == Coverage::Inside && b == Coverage::Outside) || (a == Coverage::Outside && b == Coverage::Inside);
+      }
+    return different;
+  };
+  std::size_t fewest = 1000, fewestOfFine = 1000;
+  for (const Snapping& is : snappings)
+    for (const Snapping& assumed : snappings) {
+      if (is.bits == assumed.bits && is.rounding == assumed.rounding) continue;
+      std::size_t& least = assumed.bits <= 12 ? fewest : fewestOfFine;
+      least = std::min(least, contradictionsOf(is, assumed));
     }
   CHECK(fewest > 20);
+  CHECK(fewestOfFine > 8);
 }
 
 TEST_CASE("makeProbes gives the same probes on all machines", "[calibration]") {
-  // Answers drawn with one build's probes may be read by another build.
-  std::vector<raster::ItemId> bits;
+  // Answers drawn with one build's probes may be read by another build. The second hash is of the probes that were
+  // added later.
+  std::vector<raster::ItemId> bits, added;
   for (const reference::TestVector& vector : vectorsOf(reference::makeProbes())) {
+    const std::set<std::string> later{"snapping-13",  "snapping-14",       "snapping-15",        "snapping-16",
+                                      "shared-edges", "shared-edges-fine", "shared-edges-exact", "texels-1000"};
+    std::vector<raster::ItemId>& target = later.contains(vector.name) ? added : bits;
     for (const glm::vec3& position : vector.list.positions)
-      for (int k = 0; k < 3; ++k) bits.push_back(std::bit_cast<raster::ItemId>(position[k]));
+      for (int k = 0; k < 3; ++k) target.push_back(std::bit_cast<raster::ItemId>(position[k]));
     for (const glm::vec2& texcoord : vector.list.texcoords)
-      for (int k = 0; k < 2; ++k) bits.push_back(std::bit_cast<raster::ItemId>(texcoord[k]));
+      for (int k = 0; k < 2; ++k) target.push_back(std::bit_cast<raster::ItemId>(texcoord[k]));
   }
   CHECK(reference::idsHash(bits) == "39be11ede5a707a4");
+  CHECK(reference::idsHash(added) == "6f1a1384eaf74082");
 }
 
 TEST_CASE("calibrate finds the rules of the reference renderer", "[calibration]") {
@@ -159,7 +212,8 @@ TEST_CASE("calibrate finds the profile of a device from its answers", "[calibrat
     CHECK(found.edgeRule == is.edgeRule);
     CHECK(found.depthFormat == is.depthFormat);
     CHECK(found.texelPrecision >= is.texelPrecision);
-    CHECK(found.texelPrecision <= 2 * is.texelPrecision);
+    // Snapping with more bits moves the corners of the probes less, and their coordinates by up to 1/1000 of a texel.
+    CHECK(found.texelPrecision <= 2 * is.texelPrecision + (is.subpixelBits > 12 ? 0x1p-9 : 0));
   }
 }
 
@@ -244,6 +298,107 @@ TEST_CASE("calibrate finds only the depth format for a device that only rounds d
   }
 }
 
+TEST_CASE("calibrate measures a product u N in binary32 as roundings, so that its device passes", "[calibration]") {
+  const reference::ProbingSet probes = reference::makeProbes();
+  const std::vector<reference::TestVector> suite = reference::vectorSuite();
+  const SimulatedDevice device = deviceWithRoundedProducts();
+  const Calibration calibration = calibrate(probes, drawProbes(device, probes));
+  CHECK(calibration.faults.empty());
+  CHECK(calibration.profile.texelPrecision == 0);
+  CHECK(calibration.profile.interpolationError >= 1);
+  CHECK(calibration.profile.interpolationError <= 4);
+  CHECK(errorsOf(device, suite, calibration.profile) == 0);
+  DeviceProfile without = calibration.profile;
+  without.interpolationError = 0;
+  CHECK(errorsOf(device, suite, without) > 1000);
+}
+
+TEST_CASE("calibrate finds that a device does not snap, and its profile explains its pixels", "[calibration]") {
+  const reference::ProbingSet probes = reference::makeProbes();
+  const SimulatedDevice device = exactDevice(16, SnapRounding::None);
+  const Calibration calibration = calibrate(probes, drawProbes(device, probes));
+  CHECK(calibration.faults.empty());
+  CHECK(calibration.profile.snapRounding == SnapRounding::None);
+  CHECK(calibration.profile.edgeRule == EdgeRule::TopLeft);
+  std::vector<reference::TestVector> suite = reference::vectorSuite();
+  // The simulated device has no room for fine corners of so large a picture.
+  std::erase_if(suite, [](const reference::TestVector& vector) { return vector.name == "corners-of-4096"; });
+  CHECK(errorsOf(device, suite, calibration.profile) == 0);
+}
+
+TEST_CASE("calibrate allows only edge rules that give a sample on a shared edge to exactly one triangle",
+          "[calibration]") {
+  using raster::SnappedPoint;
+  const reference::ProbingSet probes = reference::makeProbes();
+  const auto calibrated = [&](int bits, const std::function<bool(const SnappedPoint&)>& ownsSamples) {
+    const SnapRounding rounding = bits == reference::exactBits ? SnapRounding::None : SnapRounding::Nearest;
+    return calibrate(probes, drawProbes(exactDevice(bits, rounding), ownsSamples, probes));
+  };
+  const auto faultOf = [](const Calibration& calibration) {
+    return calibration.faults.size() == 1 ? calibration.faults[0] : "";
+  };
+  for (const int bits : {8, 12, 16, reference::exactBits}) {
+    INFO(bits << " bits");
+    CHECK(calibrated(bits, raster::ownsSamples).faults.empty());
+    CHECK(calibrated(bits, raster::ownsSamples).profile.edgeRule == EdgeRule::TopLeft);
+    // Diagonal from the upper right: a half plane of directions, as any consistent rule.
+    const Calibration other =
+        calibrated(bits, [](const SnappedPoint& d) { return d.x + 3 * d.y > 0 || (d.x + 3 * d.y == 0 && d.y > 0); });
+    CHECK(other.faults.empty());
+    CHECK(other.profile.edgeRule == EdgeRule::Any);
+    CHECK(faultOf(calibrated(bits, [](const SnappedPoint&) { return true; })).find("in both triangles, at 32 of 32") !=
+          std::string::npos);
+    CHECK(faultOf(calibrated(bits, [](const SnappedPoint&) {
+            return false;
+          })).find("in neither triangle, at 32 of 32") != std::string::npos);
+    // Only left edges: samples on horizontal edges are lost.
+    CHECK(faultOf(calibrated(bits, [](const SnappedPoint& d) { return d.y < 0; })).find("in neither triangle") !=
+          std::string::npos);
+  }
+}
+
+TEST_CASE("calibrate names no snapping for a device whose corners are anywhere", "[calibration]") {
+  const reference::ProbingSet probes = reference::makeProbes();
+  SimulatedDevice device = exactDevice();
+  device.vertex = [](raster::ViewVertex& v) {
+    // The last bits decide, up to a sixteenth of a pixel.
+    const double place = 1e7 * v.x;
+    v.x += (place - std::floor(place) - 0.5) / 64 * v.w;
+  };
+  const Calibration calibration = calibrate(probes, drawProbes(device, probes));
+  REQUIRE(!calibration.faults.empty());
+  CHECK(calibration.faults[0].starts_with("coverage: no snapping from 4 to 16 bits explains all samples; each is"));
+  CHECK(calibration.faults[0].find("truncated") == std::string::npos);
+}
+
+TEST_CASE("judge with the calibrated profile excuses fragments so far that they are stored as the cleared depth",
+          "[calibration]") {
+  // Strips of two columns at w = 2^12 n, 2^13 n, ... 2^27 n. Depths of 16 bits are lost from 2^17 n on, and those of
+  // binary32 from 2^25 n on.
+  reference::Picture picture(32, 0x1p-10f);
+  for (int strip = 0; strip < 16; ++strip) {
+    reference::addDraw(picture, static_cast<raster::ItemId>(strip));
+    picture.addBlock({2 * strip, 0, 2 * strip + 2, 32}, std::ldexp(1.0, strip + 2));
+  }
+  const reference::TestVector vector = makeVector("far", "", picture);
+  const reference::ProbingSet probes = reference::makeProbes();
+  for (const DepthFormat format : {DepthFormat::Float32, DepthFormat::Unorm24, DepthFormat::Unorm16}) {
+    SimulatedDevice device = exactDevice();
+    device.profile.depthFormat = format;
+    const Calibration calibration = calibrate(probes, drawProbes(device, probes));
+    CHECK(calibration.faults.empty());
+    CHECK(calibration.profile.depthFormat == format);
+    const reference::Verdict verdict = judge(vector, drawAll(device, vector), calibration.profile);
+    const reference::VerdictCounts counts = countVerdicts(verdict);
+    CHECK(counts[static_cast<std::size_t>(PixelVerdict::Coverage)] > 20);
+    CHECK(!hasErrors(verdict));
+    // Nearer ones stay errors.
+    tests::Buffers empty = drawAll(device, vector);
+    empty[0].ids[1] = 0xffffffff;
+    CHECK(hasErrors(judge(vector, empty, calibration.profile)));
+  }
+}
+
 TEST_CASE("calibrate reports answers that no profile explains", "[calibration]") {
   const reference::ProbingSet probes = reference::makeProbes();
   const auto faultsOf = [&](const std::vector<raster::ItemBuffer>& answers) {
@@ -251,7 +406,8 @@ TEST_CASE("calibrate reports answers that no profile explains", "[calibration]")
     for (const std::string& fault : calibrate(probes, answers).faults) faults += fault.substr(0, fault.find(':')) + " ";
     return faults;
   };
-  const std::size_t depths = probes.coverage.size() + probes.texels.size() + probes.interpolation.size();
+  const std::size_t texels = probes.coverage.size() + probes.sharedEdges.size();
+  const std::size_t depths = texels + probes.texels.size() + probes.interpolation.size();
   const std::vector<raster::ItemBuffer> right = drawByRules(probes);
   CHECK(faultsOf(right) == "");
   CHECK(faultsOf(drawProbes({.profile = {}, .shift = 1}, probes)) == "coverage ");
@@ -270,7 +426,7 @@ TEST_CASE("calibrate reports answers that no profile explains", "[calibration]")
   }
   CHECK(faultsOf(hole) == "coverage ");
   std::vector<raster::ItemBuffer> stranger = right;
-  stranger[probes.coverage.size()].ids[77] += 2;
+  stranger[texels].ids[77] += 2;
   CHECK(faultsOf(stranger) == "texels ");
   std::vector<raster::ItemBuffer> lastWins = right;
   std::fill(lastWins[depths].ids.begin(), lastWins[depths].ids.end(), 2u);

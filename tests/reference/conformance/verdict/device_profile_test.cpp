@@ -46,7 +46,7 @@ TEST_CASE("readProfile reads back what toJson writes", "[verdict]") {
   const TemporaryFolder folder;
   const std::filesystem::path file = folder.path / "profile.json";
   for (const DeviceProfile& profile : {DeviceProfile{},
-                                       DeviceProfile{0.1, 12, SnapRounding::Truncate, EdgeRule::Any, 0x1.8p-13, 12.5,
+                                       DeviceProfile{0.1, 16, SnapRounding::Truncate, EdgeRule::Any, 0x1.8p-13, 12.5,
                                                      DepthFormat::Unorm24, 2.5, false},
                                        DeviceProfile{.depthFormat = DepthFormat::Unorm16}}) {
     std::ofstream(file) << toJson(profile);
@@ -77,7 +77,7 @@ TEST_CASE("readProfile throws for an unknown key or a wrong value", "[verdict]")
   for (const char* json : {R"({"subpixel_bit": 8})",
                            R"({"subpixel_bits": 8.5})",
                            R"({"subpixel_bits": 3})",
-                           R"({"subpixel_bits": 13})",
+                           R"({"subpixel_bits": 17})",
                            R"({"subpixel_bits": "8"})",
                            R"({"vertex_error": -1})",
                            R"({"vertex_error": 1e999})",

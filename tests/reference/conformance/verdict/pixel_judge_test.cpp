@@ -134,6 +134,24 @@ TEST_CASE("judgeId explains the triangle behind within the error of both depths"
     }
 }
 
+TEST_CASE("judgeId lets the background hide what may be stored as the cleared depth", "[verdict]") {
+  // 1 - n/w with an error of e is 1 where n/w <= e.
+  for (const reference::DepthFormat format : {reference::DepthFormat::Float32, reference::DepthFormat::Unorm16})
+    for (const double part : {0.98, 1.02}) {
+      DeviceProfile profile = strictProfile();
+      profile.depthFormat = format;
+      profile.depthTolerance = 0.5;
+      const raster::Face face = tests::frontFace(resolution, 0x1p-6f);
+      raster::DrawList list = tests::plainList();
+      addBackdrop(list, 1, 0x1p-6 / (part * reference::depthError(profile)));
+      const ItemId background = raster::backgroundId(list.format);
+      CHECK(verdictAt(list, face, profile, 8, 5, background) ==
+            (part < 1 ? PixelVerdict::Coverage : PixelVerdict::Error));
+      profile.depthTolerance = 0;
+      CHECK(verdictAt(list, face, profile, 8, 5, background) == PixelVerdict::Error);
+    }
+}
+
 TEST_CASE("judgeId explains a triangle far behind a boundary by coverage, not by depth", "[verdict]") {
   raster::DrawList list = tests::plainList();
   tests::addDraw(list, 1);

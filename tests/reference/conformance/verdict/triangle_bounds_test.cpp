@@ -44,7 +44,7 @@ TEST_CASE("placeTriangles lets a vertex reach as far as its device may snap it",
     SnapRounding rounding;
     double position, error, reach;  // in sub-pixels
   };
-  constexpr auto nearest = SnapRounding::Nearest, truncate = SnapRounding::Truncate;
+  constexpr auto nearest = SnapRounding::Nearest, truncate = SnapRounding::Truncate, none = SnapRounding::None;
   const std::vector<Case> cases{
       {8, nearest, 0.25, 0, 0},     {8, nearest, 0.5, 0, 1},    // a tie, ours at 0
       {8, nearest, 1.5, 0, 1},                                  // a tie, ours at 2
@@ -57,7 +57,8 @@ TEST_CASE("placeTriangles lets a vertex reach as far as its device may snap it",
       {8, truncate, 0.25, 0.26, 1},                             // down to -0.01
       {8, truncate, 0.4, 0.2, 0},                               // up to 0.6
       {4, nearest, 7, 0, 7},                                    // units of 16 sub-pixels
-      {4, nearest, 9, 0, 7},        {4, nearest, 8, 0, 8},     {4, truncate, 15, 0, 15}, {12, nearest, 0.25, 0, 0.25},
+      {4, nearest, 9, 0, 7},        {4, nearest, 8, 0, 8},     {4, truncate, 15, 0, 15},
+      {12, nearest, 0.25, 0, 0.25}, {4, none, 0.25, 0, 0.25},  {4, none, 0.75, 0, 0.25},  // ours at 1
   };
   for (const Case& each : cases)
     for (const int axis : {0, 1}) {
