@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/gtc/packing.hpp>
 
+#include "raster/plain/plain_renderer.h"
 #include "tests/support/staged_drawing.h"
 
 namespace hemitex::tests {
@@ -129,6 +130,69 @@ Buffers firstPixelsOfZoomed(const TestVector& vector, const SimulatedDevice& dev
   return drawAll(device, twice);
 }
 
+/// Faces from the second on are read before they are drawn.
+void readTooEarly(TestVector& vector) {
+  for (std::size_t f = vector.faces.size(); --f > 0;) {
+    raster::Face& late = vector.faces[f].face;
+    const raster::Scissor scissor = late.scissor;
+    late = vector.faces[f - 1].face;
+    late.scissor = scissor;
+  }
+}
+
+/// Draws with a resolution that is `factor` times as large, and gives each pixel to `put(face, column, row, item ID)`.
+template <typename Put>
+void drawScaled(const TestVector& vector, const SimulatedDevice& device, double factor, const Put& put) {
+  for (std::size_t f = 0; f < vector.faces.size(); ++f) {
+    raster::Face face = vector.faces[f].face;
+    for (int* length :
+         {&face.resolution, &face.scissor.column, &face.scissor.row, &face.scissor.width, &face.scissor.height})
+      *length = static_cast<int>(*length * factor);
+    const ItemBuffer buffer = drawOn(device, vector.list, face);
+    for (int pixel = 0; pixel < static_cast<int>(buffer.ids.size()); ++pixel)
+      put(f, pixel % buffer.width, pixel / buffer.width, buffer.ids[static_cast<std::size_t>(pixel)]);
+  }
+}
+
+Buffers enlarged(const TestVector& vector, const SimulatedDevice& device) {
+  Buffers buffers = drawAll(device, vector);
+  drawScaled(vector, device, 0.5, [&](std::size_t f, int column, int row, ItemId id) {
+    for (const int y : {0, 1})
+      for (const int x : {0, 1})
+        buffers[f].ids[static_cast<std::size_t>((2 * row + y) * buffers[f].width + 2 * column + x)] = id;
+  });
+  return buffers;
+}
+
+/// Four pixels of twice the resolution are one; their bytes are averaged.
+Buffers averaged(const TestVector& vector, const SimulatedDevice& device) {
+  Buffers buffers = drawAll(device, vector);
+  std::vector<std::vector<std::array<ItemId, 4>>> sums;
+  for (const ItemBuffer& buffer : buffers) sums.emplace_back(buffer.ids.size());
+  drawScaled(vector, device, 2, [&](std::size_t f, int column, int row, ItemId id) {
+    for (ItemId k = 0; k < 4; ++k)
+      sums[f][static_cast<std::size_t>(row / 2 * buffers[f].width + column / 2)][k] += byteAt(id, 8 * k);
+  });
+  for (std::size_t f = 0; f < buffers.size(); ++f)
+    for (std::size_t p = 0; p < sums[f].size(); ++p)
+      buffers[f].ids[p] = bytewise([&](ItemId shift) { return (sums[f][p][shift / 8] + 2) / 4; });
+  return buffers;
+}
+
+/// The largest item ID around each pixel that is no background.
+void dilate(std::vector<ItemId>& ids, std::size_t width) {
+  const std::vector<ItemId> before = ids;
+  for (std::size_t p = 0; p < ids.size(); ++p) {
+    std::vector<ItemId> near;
+    for (std::size_t q = 0; q < ids.size(); ++q) {
+      const auto far = [](std::size_t a, std::size_t b) { return std::max(a, b) - std::min(a, b) > 1; };
+      if (!far(p % width, q % width) && !far(p / width, q / width) && before[q] != 0xffffffff)
+        near.push_back(before[q]);
+    }
+    if (!near.empty()) ids[p] = *std::max_element(near.begin(), near.end());
+  }
+}
+
 std::vector<Injection> viewInjections() {
   const auto flippedRows = [](TestVector& vector) {
     for (reference::VectorFace& face : vector.faces) face.face.y = -face.face.y;
@@ -169,6 +233,9 @@ std::vector<Injection> viewInjections() {
           {"viewport scaled by a pixel ratio", "five-faces",
            [](const TestVector& vector, const SimulatedDevice& device) { return zoomed(vector, device, 1.5); }},
           {"viewport scaled by a pixel ratio", "scissors", firstPixelsOfZoomed},
+          onInput("stale face", "five-faces", readTooEarly),
+          {"enlarged picture", "five-faces", enlarged},
+          onIds("dilation", "five-faces", dilate),
           {"viewport set to the scissor rectangle", "scissors", scissorAsViewport},
           {"viewport set to the scissor rectangle", "five-faces", scissorAsViewport},
           onInput("scissor rectangle read back from the wrong corner", "scissors",
@@ -306,6 +373,94 @@ Buffers multisampled(const TestVector& vector, SimulatedDevice device) {
   return resolved;
 }
 
+/// The area that a polygon and a pixel share, in sub-pixels.
+double sharedArea(std::vector<glm::dvec2> polygon, const glm::dvec2& pixel) {
+  for (int side = 0; side < 4; ++side) {
+    const int axis = side / 2;
+    const double sign = side % 2 == 0 ? 1 : -1, bound = pixel[axis] + (side % 2 == 0 ? 0 : 256);
+    std::vector<glm::dvec2> inside;
+    for (std::size_t k = 0; k < polygon.size(); ++k) {
+      const glm::dvec2 p = polygon[k], q = polygon[(k + 1) % polygon.size()];
+      const double atP = sign * (p[axis] - bound), atQ = sign * (q[axis] - bound);
+      if (atP >= 0) inside.push_back(p);
+      if ((atP < 0) != (atQ < 0)) inside.push_back(p + atP / (atP - atQ) * (q - p));
+    }
+    polygon = inside;
+  }
+  double area = 0;
+  for (std::size_t k = 2; k < polygon.size(); ++k) {
+    const glm::dvec2 p = polygon[k - 1] - polygon[0], q = polygon[k] - polygon[0];
+    area += p.x * q.y - p.y * q.x;
+  }
+  return std::abs(area) / 2;
+}
+
+/// The values of a triangle's corners on the plane through them, at a position, and the plane's slope per sub-pixel.
+struct Plane {
+  double value;
+  glm::dvec2 slope;
+};
+
+Plane planeThrough(const raster::SnappedTriangle& triangle, const glm::dvec2& position, const glm::dvec3& values) {
+  const auto corner = [&](std::size_t k) { return glm::dvec2(triangle.corners[k].x, triangle.corners[k].y); };
+  const glm::dvec2 p = corner(1) - corner(0), q = corner(2) - corner(0);
+  const double area = p.x * q.y - p.y * q.x, along = values[1] - values[0], across = values[2] - values[0];
+  const glm::dvec2 slope((along * q.y - across * p.y) / area, (across * p.x - along * q.x) / area);
+  return {values[0] + glm::dot(slope, position - corner(0)), slope};
+}
+
+/// Draws with plane equations, one pixel after the other. With `touches`, triangles show in all pixels that they touch;
+/// `bias` times the larger slope of the depth 1/w takes triangles away.
+Buffers drawnByPlanes(const TestVector& vector, bool touches, double bias) {
+  Buffers buffers = reference::render(vector);
+  for (std::size_t f = 0; f < buffers.size(); ++f) {
+    const raster::Face& face = vector.faces[f].face;
+    const std::vector<raster::SnappedTriangle> triangles = raster::snappedTriangles(vector.list, face);
+    for (std::size_t pixel = 0; pixel < buffers[f].ids.size(); ++pixel) {
+      const glm::ivec2 at = reference::pixelAt(face.scissor, pixel);
+      const glm::dvec2 centre = 256.0 * glm::dvec2(at) + 128.0;
+      double nearest = 0;
+      ItemId& id = buffers[f].ids[pixel] = raster::backgroundId(vector.list.format);
+      for (const raster::SnappedTriangle& triangle : triangles) {
+        std::vector<glm::dvec2> polygon;
+        glm::dvec3 inverse, u, v;
+        for (int k = 0; k < 3; ++k) {
+          const auto corner = static_cast<std::size_t>(k);
+          polygon.emplace_back(triangle.corners[corner].x, triangle.corners[corner].y);
+          inverse[k] = 1 / triangle.vertices[corner].w;
+          u[k] = triangle.vertices[corner].u * inverse[k];
+          v[k] = triangle.vertices[corner].v * inverse[k];
+        }
+        const bool isShown = touches ? sharedArea(polygon, centre - 128.0) > 1e-6
+                                     : covers(triangle, weightsAt(triangle, raster::sampleOf(at.x, at.y)));
+        const Plane depth = planeThrough(triangle, centre, inverse);
+        const double value = depth.value - bias * 256 * std::max(std::abs(depth.slope.x), std::abs(depth.slope.y));
+        if (!isShown || (nearest != 0 && value <= nearest * (1 + 1e-12))) continue;
+        nearest = value;
+        const raster::Draw& draw = vector.list.draws[triangle.draw];
+        id = draw.offset;
+        if (draw.back && triangle.facesAway)
+          id = *draw.back;
+        else if (draw.indexMap) {
+          const raster::IndexMap& map = vector.list.indexMaps[static_cast<std::size_t>(*draw.indexMap)];
+          const glm::dvec2 coordinates =
+              glm::dvec2(planeThrough(triangle, centre, u).value, planeThrough(triangle, centre, v).value) /
+              depth.value;
+          id = raster::blend(vector.list.format, vector.list.blend, draw.offset,
+                             reference::nearestTexel(map, coordinates));
+        }
+      }
+    }
+  }
+  return buffers;
+}
+
+Buffers withoutEdges(const TestVector& vector, const SimulatedDevice& device) {
+  reference::StagedDevice stages = stagedDeviceOf(device);
+  stages.ownsSamples = [](const raster::SnappedPoint&) { return false; };
+  return drawAll(stages, vector);
+}
+
 void turnTriangles(TestVector& vector) {
   std::vector<std::uint32_t>& indices = vector.list.indices;
   for (std::size_t i = 0; i < indices.size(); i += 3) std::swap(indices[i], indices[i + 1]);
@@ -337,6 +492,12 @@ std::vector<Injection> sampleInjections() {
           {"front and back exchanged", "backs", turnedInMirror},
           onDevice("wrong fill rule", "sample-grid-later-nearer",
                    [](SimulatedDevice& device) { device.bottomRight = true; }),
+          {"wrong fill rule", "borders-on-samples", withoutEdges},
+          {"conservative rasterization", "five-faces",
+           [](const TestVector& vector, const SimulatedDevice&) { return drawnByPlanes(vector, true, 0); }},
+          {"supersampling averaged", "five-faces", averaged},
+          {"depth bias", "crossing",
+           [](const TestVector& vector, const SimulatedDevice&) { return drawnByPlanes(vector, false, 2); }},
           onDevice("sample at the pixel corner", "five-faces",
                    [](SimulatedDevice& device) {
                      device.sample = device.shading = {0, 0};
@@ -415,6 +576,14 @@ std::vector<Injection> textureInjections() {
           onDevice("linear filtering", "five-faces", fetching(bilinear)),
           onDevice("mipmapping", "minified", fetching(thirdLevel)),
           onDevice("repeat instead of clamp", "clamped-coordinates", fetching(repeated)),
+          onDevice("texels at u (N - 1)", "five-faces", fetching([](const raster::IndexMap& map, const glm::dvec2& at) {
+                     const auto last = [](double texel, int size) { return std::round(texel / size * (size - 1)); };
+                     return texelOf(map, last(at.x, map.width), last(at.y, map.height));
+                   })),
+          under(exact, onDevice("u N rounded to binary32", "texels-1000",
+                                fetching([](const raster::IndexMap& map, const glm::dvec2& at) {
+                                  return texelOf(map, static_cast<float>(at.x), static_cast<float>(at.y));
+                                }))),
           onDevice("half-texel shift", "five-faces", [](SimulatedDevice& device) { device.texelShift = 0.5; }),
           onDevice("truncated texture coordinates (16.8)", "perspective-clipped", fetching(truncated)),
           onInput("index map upside down", "five-faces",
@@ -518,6 +687,20 @@ ItemId throughBinary32(ItemId id) {
   return static_cast<ItemId>(std::min(std::nearbyint(id / unit) * unit, 4294967295.0));
 }
 
+ItemId throughBinary16(ItemId id) {
+  const float read = throughBinary16(static_cast<float>(id));
+  return std::isinf(read) ? 0xffffffff : static_cast<ItemId>(read);
+}
+
+/// Bright colours fitted to the display.
+ItemId compressed(ItemId id) {
+  const auto channel = [=](ItemId shift) {
+    const double value = byteAt(id, shift) / 255.0;
+    return static_cast<ItemId>(std::lround(255 * (1 - std::exp(-value)))) << shift;
+  };
+  return channel(0) | channel(8) | channel(16) | (id & 0xff000000);
+}
+
 ItemId premultiplied(ItemId id) {
   const ItemId alpha = id >> 24;
   return bytewise([=](ItemId shift) { return shift == 24 ? alpha : (byteAt(id, shift) * alpha + 127) / 255; });
@@ -529,45 +712,55 @@ std::vector<Injection> memoryInjections() {
     for (raster::IndexMap& map : vector.list.indexMaps)
       for (ItemId& id : map.ids) id = premultiplied(id);
   };
-  return {onInput("premultiplied alpha", "byte-pairs", premultiplyMaps),
-          onInput("premultiplied alpha", layout, premultiplyMaps),
-          onIds("premultiplied alpha", layout, everyId(premultiplied)),
-          onInput("item IDs cut to fewer bits", "unique-maps",
-                  [](TestVector& vector) {
-                    for (raster::IndexMap& map : vector.list.indexMaps)
-                      for (ItemId& id : map.ids) id &= 0xffff;
-                  }),
-          onInput("item IDs cut to fewer bits", "single-elements",
-                  [](TestVector& vector) {
-                    for (raster::Draw& draw : vector.list.draws) draw.offset &= 0xffff;
-                  }),
-          onInput("channels swapped in the texture (BGRA)", layout,
-                  [](TestVector& vector) {
-                    for (raster::IndexMap& map : vector.list.indexMaps)
-                      for (ItemId& id : map.ids) id = bgra(id);
-                  }),
-          onInput("channels swapped in the offset (BGRA)", layout,
-                  [](TestVector& vector) {
-                    for (raster::Draw& draw : vector.list.draws) draw.offset = bgra(draw.offset);
-                  }),
-          onIds("channels swapped in the target (BGRA)", layout, everyId(bgra)),
-          onIds("byte order", layout,
-                everyId([](ItemId w) { return w >> 24 | (w >> 8 & 0xff00) | (w << 8 & 0xff0000) | w << 24; })),
-          onIds("item IDs through binary32", layout, everyId(throughBinary32)),
-          onIds("alpha forced to opaque", layout, everyId([](ItemId w) { return w | 0xff000000; })),
-          onIds("background not cleared", "five-faces", everyId([](ItemId w) { return w == 0xffffffff ? 0 : w; })),
-          onIds("background not cleared", layout, everyId([](ItemId w) { return w == 0xffffffff ? 0xff000000 : w; })),
-          onIds("padded rows", "rectangular-map",
-                [](std::vector<ItemId>& ids, std::size_t width) {
-                  std::vector<ItemId> padded;  // to whole lines of 64 bytes
-                  for (std::size_t row = 0; row < ids.size() / width; ++row) {
-                    padded.insert(padded.end(), &ids[row * width], &ids[row * width] + width);
-                    padded.insert(padded.end(), (16 - width % 16) % 16, 0);
-                  }
-                  std::copy_n(padded.begin(), ids.size(), ids.begin());
-                }),
-          onIds("sRGB encoding", layout, everyId(encoded)),
-          onIds("dithering", layout, ditherTo565)};
+  return {
+      onInput("premultiplied alpha", "byte-pairs", premultiplyMaps),
+      onInput("premultiplied alpha", layout, premultiplyMaps),
+      onIds("premultiplied alpha", layout, everyId(premultiplied)),
+      onInput("item IDs cut to fewer bits", "unique-maps",
+              [](TestVector& vector) {
+                for (raster::IndexMap& map : vector.list.indexMaps)
+                  for (ItemId& id : map.ids) id &= 0xffff;
+              }),
+      onInput("item IDs cut to fewer bits", "single-elements",
+              [](TestVector& vector) {
+                for (raster::Draw& draw : vector.list.draws) draw.offset &= 0xffff;
+              }),
+      onInput("channels swapped in the texture (BGRA)", layout,
+              [](TestVector& vector) {
+                for (raster::IndexMap& map : vector.list.indexMaps)
+                  for (ItemId& id : map.ids) id = bgra(id);
+              }),
+      onInput("channels swapped in the offset (BGRA)", layout,
+              [](TestVector& vector) {
+                for (raster::Draw& draw : vector.list.draws) draw.offset = bgra(draw.offset);
+              }),
+      onIds("channels swapped in the target (BGRA)", layout, everyId(bgra)),
+      onIds("byte order", layout,
+            everyId([](ItemId w) { return w >> 24 | (w >> 8 & 0xff00) | (w << 8 & 0xff0000) | w << 24; })),
+      onIds("item IDs through binary32", layout, everyId(throughBinary32)),
+      onIds("item IDs through binary32", layout,
+            everyId([](ItemId id) { return id >= 0xffffff80 ? 0 : throughBinary32(id); })),
+      onIds("item IDs through half floats", "fine-coordinates", everyId([](ItemId id) { return throughBinary16(id); })),
+      onIds("item ID interpolated", "five-faces",
+            [](std::vector<ItemId>& ids, std::size_t) {
+              for (std::size_t p = 0; p < ids.size(); ++p)
+                if (p * 2654435761u >> 16 & 1 && ids[p] != 0 && ids[p] != 0xffffffff) --ids[p];
+            }),
+      onIds("tone mapping", layout, everyId(compressed)),
+      onIds("alpha forced to opaque", layout, everyId([](ItemId w) { return w | 0xff000000; })),
+      onIds("background not cleared", "five-faces", everyId([](ItemId w) { return w == 0xffffffff ? 0 : w; })),
+      onIds("background not cleared", layout, everyId([](ItemId w) { return w == 0xffffffff ? 0xff000000 : w; })),
+      onIds("padded rows", "rectangular-map",
+            [](std::vector<ItemId>& ids, std::size_t width) {
+              std::vector<ItemId> padded;  // to whole lines of 64 bytes
+              for (std::size_t row = 0; row < ids.size() / width; ++row) {
+                padded.insert(padded.end(), &ids[row * width], &ids[row * width] + width);
+                padded.insert(padded.end(), (16 - width % 16) % 16, 0);
+              }
+              std::copy_n(padded.begin(), ids.size(), ids.begin());
+            }),
+      onIds("sRGB encoding", layout, everyId(encoded)),
+      onIds("dithering", layout, ditherTo565)};
 }
 
 }  // namespace

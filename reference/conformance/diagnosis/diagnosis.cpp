@@ -13,7 +13,8 @@ using raster::ItemId;
 using ItemIds = std::vector<ItemId>;  // of all faces
 
 constexpr double minAgreement = 0.9;
-constexpr std::uint64_t minPixels = 8;
+constexpr double minPart = 0.125;       // of the changes of a partial variant
+constexpr std::uint64_t minPixels = 8;  // of a fault that is named
 
 /// Input of the diagnosis. Pixels are those of all faces.
 struct Case {
@@ -37,29 +38,47 @@ Case makeCase(const TestVector& vector, const Verdict& verdict) {
   return result;
 }
 
+/// Drawn pixels, and how many of them are equal to the device.
+struct Share {
+  std::uint64_t pixels = 0, agreeing = 0;
+
+  /// If `remaining` pixels agree.
+  double with(std::uint64_t remaining) const {
+    return static_cast<double>(agreeing + remaining) / static_cast<double>(pixels + remaining);
+  }
+};
+
 /// The agreement of a variant on the pixels drawn so far.
 struct Agreement {
-  std::uint64_t pixels = 0;     ///< errors and footprint
-  std::uint64_t agreeing = 0;   ///< of these, equal to the device
-  std::uint64_t exact = 0;      ///< of all drawn pixels, equal to the device
-  std::uint64_t remaining = 0;  ///< undrawn pixels that may agree
+  Share all;                                         ///< errors and footprint
+  Share errors;                                      ///< errors alone: what is explained does not stand for them
+  Share changes;                                     ///< where the item ID of the variant is not that of the rules
+  std::uint64_t exact = 0;                           ///< of all drawn pixels, equal to the device
+  std::uint64_t remaining = 0, remainingErrors = 0;  ///< undrawn pixels that may agree, and errors
 
-  /// The agreement on the whole vector if all remaining pixels agree.
-  double best() const { return static_cast<double>(agreeing + remaining) / static_cast<double>(pixels + remaining); }
-  bool mayBeNamed() const { return agreeing + remaining >= minPixels && best() >= minAgreement; }
+  /// Whether the fault explains the errors of the whole vector if all remaining pixels agree.
+  bool mayExplain(const Variant& variant) const {
+    if (variant.isPartial && changes.with(remaining) < minPart) return false;
+    return errors.with(remainingErrors) >= minAgreement && all.with(remaining) >= minAgreement;
+  }
 };
 
 void count(const Case& given, const Variant& variant, std::size_t pixel, ItemId id, Agreement& agreement) {
   const std::vector<Channel>& rounded = variant.rounded;
   const auto areLike = [&](ItemId a, ItemId b) { return a == b || (!rounded.empty() && isClose(rounded, a, b)); };
   const ItemId rules = given.rules[pixel], found = given.found[pixel];
+  const bool isError = given.isError[pixel];
   agreement.remaining -= given.mayAgree(pixel);
+  agreement.remainingErrors -= isError;
   agreement.exact += id == found;
-  // A change within rounding is not evidence, unless the device shows exactly this item ID.
-  const bool isChanged = !areLike(id, rules);
-  if (!given.isError[pixel] && !isChanged) return;
-  ++agreement.pixels;
-  agreement.agreeing += id != rules && (id == found || (isChanged && areLike(id, found)));
+  if (id != rules) agreement.changes = {agreement.changes.pixels + 1, agreement.changes.agreeing + (id == found)};
+  // Within rounding neither a change is evidence for the variant, unless the device shows exactly this item ID, nor an
+  // error against it.
+  const bool isChanged = !areLike(id, rules), isUnsure = id != found && areLike(id, found);
+  if (!isChanged && (!isError || isUnsure)) return;
+  const bool agrees = id != rules && (id == found || (isChanged && areLike(id, found)));
+  agreement.all = {agreement.all.pixels + 1, agreement.all.agreeing + agrees};
+  if (isError) agreement.errors = {agreement.errors.pixels + 1, agreement.errors.agreeing + agrees};
 }
 
 /// A variant, and its item IDs if it has enough agreement.
@@ -67,32 +86,37 @@ struct Suspect {
   const Fault* fault;
   const Variant* variant;
   double agreement = 0;
-  std::uint64_t exact = 0;  ///< pixels of all faces that hold the variant's item ID
+  std::uint64_t agreeing = 0;  ///< pixels
+  std::uint64_t exact = 0;     ///< pixels of all faces that hold the variant's item ID
   ItemIds ids = {};
 };
 
-/// Draws a variant while it may still be named. Most variants are rejected after a few rows.
-void compare(const Case& given, std::uint64_t mayAgree, Suspect& suspect) {
-  Agreement agreement{.remaining = mayAgree};
+/// Draws a variant while it may still explain the errors. Most variants are rejected after a few rows.
+void compare(const Case& given, const Agreement& undrawn, Suspect& suspect) {
+  Agreement agreement = undrawn;
   ItemIds ids;
   drawOn(suspect.variant->device, given.placed, [&](const raster::ItemBuffer& part) {
     for (const ItemId id : part.ids) {
       count(given, *suspect.variant, ids.size(), id, agreement);
       ids.push_back(id);
     }
-    return agreement.mayBeNamed();
+    return agreement.mayExplain(*suspect.variant);
   });
-  if (agreement.mayBeNamed())
-    suspect = {suspect.fault, suspect.variant, agreement.best(), agreement.exact, std::move(ids)};
+  if (agreement.mayExplain(*suspect.variant))
+    suspect = {suspect.fault,          suspect.variant, agreement.all.with(0),
+               agreement.all.agreeing, agreement.exact, std::move(ids)};
 }
 
 std::vector<Suspect> suspectsOf(const Case& given, const std::vector<Fault>& faults) {
   std::vector<Suspect> suspects;
   for (const Fault& fault : faults)
     for (const Variant& variant : fault.variants) suspects.push_back({&fault, &variant});
-  std::uint64_t mayAgree = 0;
-  for (std::size_t pixel = 0; pixel < given.found.size(); ++pixel) mayAgree += given.mayAgree(pixel);
-  raster::parallelFor(suspects.size(), [&](std::size_t k) { compare(given, mayAgree, suspects[k]); });
+  Agreement undrawn;
+  for (std::size_t pixel = 0; pixel < given.found.size(); ++pixel) {
+    undrawn.remaining += given.mayAgree(pixel);
+    undrawn.remainingErrors += given.isError[pixel];
+  }
+  raster::parallelFor(suspects.size(), [&](std::size_t k) { compare(given, undrawn, suspects[k]); });
   std::erase_if(suspects, [](const Suspect& suspect) { return suspect.ids.empty(); });
   return suspects;
 }
@@ -112,22 +136,32 @@ bool areIndistinct(const Case& given, const Suspect& best, const Suspect& other)
 
 }  // namespace
 
-std::vector<Finding> diagnose(const TestVector& vector, const Verdict& verdict) {
+Diagnosis diagnoseAll(const TestVector& vector, const Verdict& verdict) {
   if (!hasErrors(verdict)) return {};
   const std::vector<Fault> faults = knownFaults(vector);
   const Case given = makeCase(vector, verdict);
   std::vector<Suspect> suspects = suspectsOf(given, faults);
   std::stable_sort(suspects.begin(), suspects.end(),
                    [](const Suspect& a, const Suspect& b) { return a.exact > b.exact; });
-  std::vector<Finding> findings;
+  Diagnosis diagnosis;
   std::vector<const Fault*> named;
+  const Suspect* best = nullptr;
   for (const Suspect& suspect : suspects) {
-    if (std::find(named.begin(), named.end(), suspect.fault) != named.end()) continue;
-    if (!areIndistinct(given, suspects.front(), suspect) && !findings.empty()) continue;
+    if (std::find(diagnosis.explaining.begin(), diagnosis.explaining.end(), suspect.fault->name) ==
+        diagnosis.explaining.end())
+      diagnosis.explaining.push_back(suspect.fault->name);
+    if (suspect.agreeing < minPixels || std::find(named.begin(), named.end(), suspect.fault) != named.end()) continue;
+    if (!best) best = &suspect;
+    if (!areIndistinct(given, *best, suspect) && best != &suspect) continue;
     named.push_back(suspect.fault);
-    findings.push_back({suspect.fault->name, suspect.variant->name, suspect.agreement, suspect.fault->advice});
+    diagnosis.findings.push_back(
+        {suspect.fault->name, suspect.variant->name, suspect.agreement, suspect.fault->advice});
   }
-  return findings;
+  return diagnosis;
+}
+
+std::vector<Finding> diagnose(const TestVector& vector, const Verdict& verdict) {
+  return diagnoseAll(vector, verdict).findings;
 }
 
 std::string toText(const std::vector<Finding>& findings) {

@@ -3,7 +3,8 @@
 ///
 /// The footprint of a fault is the set of pixels where it changes the item IDs of the rules. The agreement of a fault
 /// is the fraction of the error pixels and the footprint where the device holds the item ID of the fault. A device with
-/// the fault agrees except for its own small errors; other devices hardly ever agree.
+/// the fault agrees except for its own small errors; other devices hardly ever agree. The fault explains the errors if
+/// this agreement, and that on the error pixels alone, is at least 0.9.
 #pragma once
 
 #include <string>
@@ -21,9 +22,19 @@ struct Finding {
   std::string advice;   ///< where to look
 };
 
-/// The fault with the best agreement, if it is at least 0.9 and covers at least eight pixels. With it come the faults
-/// that the vector cannot distinguish from it: the pixels where only one of the two gives the device's item ID are no
-/// more than chance allows. Empty without errors.
+struct Diagnosis {
+  /// Of the faults that explain the errors on at least eight pixels the one with the most equal item IDs. With it come
+  /// the faults that the vector cannot distinguish from it: the pixels where only one of the two gives the device's
+  /// item ID are no more than chance allows.
+  std::vector<Finding> findings;
+  /// The names of all faults that explain the errors, on however few pixels.
+  std::vector<std::string> explaining;
+};
+
+/// Empty without errors.
+Diagnosis diagnoseAll(const TestVector& vector, const Verdict& verdict);
+
+/// The findings alone.
 std::vector<Finding> diagnose(const TestVector& vector, const Verdict& verdict);
 
 /// "linear filtering (99.8 % agreement): set both filters ..."; several are joined with "either" and "or".

@@ -18,6 +18,7 @@ struct Variant {
   StagedDevice device;
   /// Channels that devices round differently: an item ID that is off by at most one in each of them counts as equal.
   std::vector<Channel> rounded = {};
+  bool isPartial = false;  ///< whether devices make only a part of the changes, which part depends on the device
 };
 
 struct Fault {

@@ -98,6 +98,39 @@ ItemId throughBinary32(ItemId id) {
   return static_cast<ItemId>(std::min(static_cast<double>(static_cast<float>(id)), 4294967295.0));
 }
 
+/// The same on a processor that reads 2^32, which is too large, as 0.
+ItemId throughBinary32WithOverflow(ItemId id) {
+  return static_cast<ItemId>(static_cast<std::uint64_t>(static_cast<float>(id)));
+}
+
+std::vector<Variant> throughFloats() {
+  std::vector<Variant> variants = withAny(throughBinary32);
+  variants.push_back({"in item ID files, 2^32 read as 0", withIds(throughBinary32WithOverflow)});
+  return variants;
+}
+
+/// Item IDs as half floats of 11 bits: above 65504 there is infinity, which is read as all ones.
+/// Empty if all draws are there: nothing is left of them.
+std::vector<Variant> throughHalfFloats(const DrawList& list) {
+  if (std::none_of(list.draws.begin(), list.draws.end(), [](const raster::Draw& draw) { return draw.offset < 65520; }))
+    return {};
+  const ItemId all = raster::backgroundId(list.format);
+  return withAny([=](ItemId id) {
+    const double unit = std::ldexp(1.0, std::max(0, std::ilogb(std::max<double>(id, 1)) - 10));
+    const double rounded = std::nearbyint(id / unit) * unit;
+    return rounded < 65520 ? static_cast<ItemId>(rounded) : all;
+  });
+}
+
+/// An item ID between three equal ones, computed in floats just below it and truncated. Which pixels are rounded so
+/// depends on the device: the item ID is off by at most one.
+std::vector<Variant> interpolatedIds(const raster::IdFormat& format) {
+  const std::vector<Channel> number{{0, raster::idBits(format)}};
+  const ItemId background = raster::backgroundId(format);
+  const auto below = [=](ItemId id) { return id == 0 || id == background ? id : id - 1; };
+  return {{"of the draw", withOffsets(below), number, true}, {"of the fragment", withIds(below), number, true}};
+}
+
 /// Item IDs in 8 or 16 bits, in each place that holds them.
 std::vector<Variant> fewerBits() {
   std::vector<Variant> variants;
@@ -229,6 +262,28 @@ std::vector<Variant> colourEncodings(const raster::IdFormat& format) {
           {"target encoded", withIds(with(toEncoded)), channels}};
 }
 
+/// Curves that make a bright scene fit the display, on all channels but alpha.
+std::vector<Variant> toneMappings(const raster::IdFormat& format) {
+  const std::vector<Channel> channels = colourChannelsOf(format);
+  const std::vector<std::pair<std::string, double (*)(double)>> curves{
+      {"x/(1 + x)", [](double x) { return x / (1 + x); }},
+      {"1 - exp(-x)", [](double x) { return 1 - std::exp(-x); }},
+      {"filmic", [](double x) { return std::min(1.0, x * (2.51 * x + 0.03) / (x * (2.43 * x + 0.59) + 0.14)); }}};
+  std::vector<Variant> variants;
+  for (const auto& [name, curve] : curves)
+    for (const bool isEncoded : {false, true}) {
+      const auto map = [=, curve = curve](ItemId id) {
+        return idOf(channels, [&](const Channel& channel) {
+          const double value = channel.of(id), largest = channel.largest(), mapped = curve(value / largest);
+          const bool isAlpha = channels.size() == 4 && channel.shift == channels[3].shift;
+          return isAlpha ? value : (isEncoded ? toEncoded(mapped) : mapped) * largest;
+        });
+      };
+      variants.push_back({name + (isEncoded ? ", then sRGB" : ""), withIds(map), channels});
+    }
+  return variants;
+}
+
 /// The order in which the pixels of a 4 x 4 block round up (ordered dithering).
 constexpr std::array<int, 16> ditherMatrix{0, 8, 2, 10, 12, 4, 14, 6, 3, 11, 1, 9, 15, 7, 13, 5};
 
@@ -277,7 +332,11 @@ std::vector<Fault> memoryFaults(const TestVector& vector) {
       {"byte order", "arrays are little-endian: write and read item IDs with their least significant byte first",
        byteOrders(format)},
       {"item IDs through binary32", "a binary32 holds 24 bits: pass larger item IDs as integers or as channels",
-       withAny(throughBinary32)},
+       throughFloats()},
+      {"item IDs through half floats", "a half float holds 11 bits: ask for integer formats, or for 8 bits per channel",
+       throughHalfFloats(vector.list)},
+      {"item ID interpolated", "declare the item ID flat, and pass it as an integer: interpolated, it is rounded down",
+       interpolatedIds(format)},
       {"item IDs cut to fewer bits", "hold item IDs in as many bits as their format has: look at integer formats",
        fewerBits()},
       {"premultiplied alpha",
@@ -289,6 +348,8 @@ std::vector<Fault> memoryFaults(const TestVector& vector) {
       {"padded rows", "rows have no padding: set pack and unpack alignment to 1, or copy row by row", paddings(format)},
       {"sRGB encoding", "ask for linear formats of textures and target, and turn framebuffer encoding off",
        colourEncodings(format)},
+      {"tone mapping", "draw item IDs into a target of their own, after which no pass changes colours",
+       toneMappings(format)},
       {"dithering", "turn dithering off, and ask for a target with the item ID's channels", ditherings(format)}};
 }
 

@@ -23,7 +23,8 @@ std::vector<Variant> fillRules() {
     return [=](const raster::SnappedPoint& d) { return d.y != 0 ? left * d.y < 0 : top * d.x > 0; };
   };
   return {withRule("bottom-left", owns(1, -1)), withRule("bottom-right", owns(-1, -1)),
-          withRule("top-right", owns(-1, 1)), withRule("every edge", [](const raster::SnappedPoint&) { return true; })};
+          withRule("top-right", owns(-1, 1)), withRule("every edge", [](const raster::SnappedPoint&) { return true; }),
+          withRule("no edge", [](const raster::SnappedPoint&) { return false; })};
 }
 
 std::vector<Variant> cornerSamples() {
@@ -50,39 +51,77 @@ std::vector<raster::SnappedPoint> standardSamples(int count) {
   }
 }
 
+/// Averages the samples per channel.
+Variant averaged(const std::string& name, StagedDevice device, const raster::IdFormat& format) {
+  const std::vector<Channel> channels = colourChannelsOf(format);
+  device.resolve = [=](std::span<const ItemId> samples) {
+    return idOf(channels, [&](const Channel& channel) {
+      double sum = 0;
+      for (const ItemId sample : samples) sum += channel.of(sample);
+      return sum / static_cast<double>(samples.size());
+    });
+  };
+  return {name, device, channels};
+}
+
 /// Coverage and depth per sample, colour once at the centre, which is the default of OpenGL and Vulkan. The resolve
-/// averages colours per channel; for integer formats it takes the first sample.
+/// averages colours per channel; for integer formats it takes the first sample. Rows of the standard locations count
+/// upwards on some devices.
 std::vector<Variant> multisamplings(const TestVector& vector) {
   std::vector<Variant> variants;
-  for (const int count : {2, 4, 8}) {
+  for (const int count : {2, 4, 8})
+    for (const bool isUpwards : {false, true}) {
+      StagedDevice device;
+      device.samples = standardSamples(count);
+      for (raster::SnappedPoint& sample : device.samples)
+        sample = {16 * sample.x, 16 * (isUpwards ? 16 - sample.y : sample.y)};
+      const std::string name = std::to_string(count) + (isUpwards ? " samples upwards, " : " samples, ");
+      variants.push_back({name + "the first", device});
+      variants.push_back(averaged(name + "averaged", device, vector.list.format));
+    }
+  return variants;
+}
+
+/// Pictures of twice or four times the resolution, averaged.
+std::vector<Variant> supersamplings(const raster::IdFormat& format) {
+  std::vector<Variant> variants;
+  for (const std::int64_t count : {2, 4}) {
     StagedDevice device;
-    device.samples = standardSamples(count);
-    for (raster::SnappedPoint& sample : device.samples) sample = {16 * sample.x, 16 * sample.y};
-    const std::string name = std::to_string(count) + " samples, ";
-    variants.push_back({name + "the first", device});
-    const std::vector<Channel> channels = colourChannelsOf(vector.list.format);
-    device.resolve = [=](std::span<const ItemId> samples) {
-      return idOf(channels, [&](const Channel& channel) {
-        double sum = 0;
-        for (const ItemId sample : samples) sum += channel.of(sample);
-        return sum / static_cast<double>(samples.size());
-      });
-    };
-    variants.push_back({name + "averaged", device, channels});
+    device.shadesSamples = true;
+    device.samples.clear();
+    for (std::int64_t k = 0; k < count * count; ++k)
+      device.samples.push_back({(2 * (k % count) + 1) * 128 / count, (2 * (k / count) + 1) * 128 / count});
+    const std::string side = std::to_string(count);
+    variants.push_back(averaged(side + " x " + side + " pixels", device, format));
   }
   return variants;
 }
 
+/// Every pixel that a triangle touches, without those that it touches at their border only, or with them.
+std::vector<Variant> conservativeRules() {
+  return {{"", withStage(&StagedDevice::widening, std::int64_t{127})},
+          {"borders included", withStage(&StagedDevice::widening, std::int64_t{128})}};
+}
+
 // --- depth ---
 
-/// 1 - n/w in 16 bits.
+std::vector<Variant> depthBiases() {
+  std::vector<Variant> variants;
+  for (const int factor : {1, 2, 4, -1, -2, -4})
+    variants.push_back({"factor " + std::to_string(factor), withStage(&StagedDevice::depthBias, double(factor))});
+  return variants;
+}
+
+/// 1 - n/w in 16 bits, cleared to the largest depth.
 std::vector<Variant> sixteenBits() {
   std::vector<Variant> variants;
   for (const double rounding : {0.5, 0.0}) {
     const auto depth = [=](double inverseW, double nearDistance) {
       return std::floor((1 - nearDistance * inverseW) * 0xffff + rounding);
     };
-    variants.push_back({rounding > 0 ? "rounded to nearest" : "truncated", withStage(&StagedDevice::depth, depth)});
+    StagedDevice device = withStage(&StagedDevice::depth, depth);
+    device.clearedDepth = 0xffff;
+    variants.push_back({rounding > 0 ? "rounded to nearest" : "truncated", device});
   }
   return variants;
 }
@@ -117,11 +156,16 @@ std::vector<Fault> sampleFaults(const TestVector& vector) {
           {"wrong fill rule",
            "a sample on an edge belongs to the triangle whose top or left edge it is; rows are those in memory",
            fillRules()},
+          {"conservative rasterization",
+           "a triangle covers the samples at pixel centres: turn conservative rasterization off", conservativeRules()},
           {"sample at the pixel corner", "sample i is at i + 1/2: look for half a pixel in projection or viewport",
            cornerSamples()},
           {"multisampling", "averages of item IDs are meaningless: ask for a target of one sample per pixel",
            multisamplings(vector)},
+          {"supersampling averaged", "averages of item IDs are meaningless: draw at the resolution of the face",
+           supersamplings(vector.list.format)},
           {"16-bit depth", "ask for a depth format of 32-bit floats, or 24 bits at least", sixteenBits()},
+          {"depth bias", "turn polygon offset and depth bias off", depthBiases()},
           {"depth test off",
            "turn the depth test and depth writes on, and attach a depth buffer",
            {{"", withStage(&StagedDevice::passes, [](double, double) { return true; })}}},

@@ -32,6 +32,14 @@ ItemId repeatedTexel(const IndexMap& map, const Lookup& lookup) {
   return nearestTexel(map, lookup.at - glm::floor(lookup.at));
 }
 
+/// Where rounding makes a coordinate of 0 smaller, it repeats, too.
+ItemId repeatedTexelBelow(const IndexMap& map, const Lookup& lookup) {
+  glm::dvec2 at = lookup.at;
+  for (int axis = 0; axis < 2; ++axis)
+    if (std::abs(at[axis]) < 0x1p-30) at[axis] = -0x1p-30;
+  return nearestTexel(map, at - glm::floor(at));
+}
+
 ItemId mirroredTexel(const IndexMap& map, const Lookup& lookup) {
   const glm::dvec2 period = lookup.at - 2.0 * glm::floor(lookup.at / 2.0);
   return nearestTexel(map, glm::min(period, 2.0 - period));
@@ -88,6 +96,33 @@ std::vector<Variant> justBelow() {
            return nearestTexel(map, l.at - glm::abs(l.at) * (units * 0x1p-24));
          })});
   return variants;
+}
+
+/// u N and v M in binary32, at the vertices or at the pixel.
+std::vector<Variant> roundedProducts() {
+  const auto atVertices = [](const IndexMap& map, const Lookup& lookup) {
+    raster::SnappedTriangle triangle = lookup.triangle;
+    for (raster::ViewVertex& vertex : triangle.vertices) {
+      vertex.u = static_cast<float>(vertex.u * map.width);
+      vertex.v = static_cast<float>(vertex.v * map.height);
+    }
+    const glm::dvec3 sum = weightedSum(triangle, weightsAt(triangle, lookup.position));
+    return texelAt(map, glm::dvec2(sum) / sum.z);
+  };
+  return {{"at vertices", withFetch(atVertices)},
+          {"at pixels", withFetch([](const IndexMap& map, const Lookup& lookup) {
+             return texelAt(map, glm::dvec2(glm::vec2(lookup.at * sizeOf(map))));
+           })}};
+}
+
+/// The first and last texels end at the first and last sample, as the centres of pixels of a picture do.
+std::vector<Variant> oneTexelLess() {
+  const auto with = [](double rounding) {
+    return withFetch([=](const IndexMap& map, const Lookup& lookup) {
+      return texelAt(map, lookup.at * (sizeOf(map) - 1.0) + rounding);
+    });
+  };
+  return {{"rounded", with(0.5)}, {"floor", with(0)}};
 }
 
 // --- filters ---
@@ -231,7 +266,14 @@ std::vector<Fault> textureFaults(const TestVector& vector) {
       {"mipmapping", "set a minifying filter without mipmaps, and make no mipmaps", mipmappings(list)},
       {"repeat instead of clamp",
        "set the wrap mode of both coordinates to clamp to edge",
-       {{"repeated", withFetch(repeatedTexel)}, {"mirrored", withFetch(mirroredTexel)}}},
+       {{"repeated", withFetch(repeatedTexel)},
+        {"repeated, also just below 0", withFetch(repeatedTexelBelow)},
+        {"mirrored", withFetch(mirroredTexel)}}},
+      {"texels at u (N - 1)", "texel i covers i/N to (i + 1)/N: multiply by the number of texels", oneTexelLess()},
+      {"u N rounded to binary32",
+       "near a border of texels the product of two binary32 numbers needs 48 bits: multiply in double precision, and "
+       "look for a compiler that rounds",
+       roundedProducts()},
       {"half-texel shift", "texel i covers i/N to (i + 1)/N: leave out any half texel of a filter or of Direct3D 9",
        halfTexelShifts()},
       {"truncated texture coordinates (16.8)",

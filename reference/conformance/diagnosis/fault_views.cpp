@@ -131,6 +131,51 @@ std::vector<Variant> readBackFromFirst(raster::ItemId background) {
   return {{"drawn without a scissor test", untested}, {"drawn with a scissor test", tested}};
 }
 
+/// Faces that show an earlier one: the first, or the one before.
+std::vector<Variant> staleFaces(std::size_t faces) {
+  if (faces < 2) return {};
+  std::vector<std::size_t> oneLate{0};
+  for (std::size_t f = 1; f < faces; ++f) oneLate.push_back(f - 1);
+  return {reordered("the first", std::vector<std::size_t>(faces)), reordered("the one before", oneLate)};
+}
+
+/// Drawn with a part of the resolution, and each pixel enlarged to a square.
+Variant enlarged(int factor) {
+  const float ratio = 1 / static_cast<float>(factor);
+  const auto firstPixel = [=](const Face& face) {
+    return glm::ivec2(face.scissor.column / factor, face.scissor.row / factor);
+  };
+  StagedDevice device =
+      withViews(-1, [=](Face& face) { place(face, glm::vec2(ratio), cornerOf(face) - glm::vec2(firstPixel(face))); });
+  device.readBack = [=](const Face& face, raster::ItemBuffer& buffer) {
+    const std::vector<raster::ItemId> small = buffer.ids;
+    for (std::size_t pixel = 0; pixel < small.size(); ++pixel) {
+      const glm::ivec2 from = pixelAt(face.scissor, pixel) / factor - firstPixel(face);
+      buffer.ids[pixel] = small[static_cast<std::size_t>(from.y * buffer.width + from.x)];
+    }
+  };
+  return {"by " + std::to_string(factor), device};
+}
+
+/// Item IDs that grow over their neighbours, as passes that close gaps do.
+std::vector<Variant> dilations(raster::ItemId background) {
+  const auto with = [=](bool fillsOnlyBackground) {
+    return withReadBack([=](const Face&, raster::ItemBuffer& buffer) {
+      const std::vector<raster::ItemId> ids = buffer.ids;
+      for (int row = 0, pixel = 0; row < buffer.height; ++row)
+        for (int column = 0; column < buffer.width; ++column, ++pixel) {
+          raster::ItemId& id = buffer.ids[static_cast<std::size_t>(pixel)];
+          if (fillsOnlyBackground && id != background) continue;
+          for (int y = std::max(row - 1, 0); y <= std::min(row + 1, buffer.height - 1); ++y)
+            for (int x = std::max(column - 1, 0); x <= std::min(column + 1, buffer.width - 1); ++x)
+              if (const raster::ItemId near = ids[static_cast<std::size_t>(y * buffer.width + x)]; near != background)
+                id = id == background ? near : std::max(id, near);
+        }
+    });
+  };
+  return {{"the largest of 3 x 3 pixels", with(false)}, {"into the background", with(true)}};
+}
+
 StagedDevice withFirstEye() {
   return withStage(&StagedDevice::camera, [](std::span<const Face> faces, std::size_t f) {
     Face face = faces[f];
@@ -188,6 +233,13 @@ std::vector<Fault> viewFaults(const TestVector& vector) {
           {"scissor rectangle read back from the wrong corner",
            "read from column and row of the scissor rectangle, not from (0, 0)",
            readBackFromFirst(raster::backgroundId(vector.list.format))},
+          {"stale face", "wait for the device, and read each face before the next one is drawn",
+           staleFaces(vector.faces.size())},
+          {"enlarged picture",
+           "draw item IDs with the resolution of the face: item IDs cannot be scaled",
+           {enlarged(2), enlarged(4)}},
+          {"dilation", "turn passes off that close gaps or outline objects",
+           dilations(raster::backgroundId(vector.list.format))},
           {"a face's own eye ignored",
            "use the eye of each face: look for an eye that is set once for all faces",
            {{"", withFirstEye()}}}};

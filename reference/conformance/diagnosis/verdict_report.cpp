@@ -170,7 +170,9 @@ Report reportOn(const TestVector& vector, std::span<const raster::ItemBuffer> fo
     if (isExact) expected.push_back(evaluateRules(vector.list, face.face));
   Report report{judge(vector, isExact ? expected : drawn, found, profile), {}, {}};
   report.errors = firstErrors(vector, report.verdict);
-  report.findings = diagnose(vector, report.verdict);
+  Diagnosis diagnosis = diagnoseAll(vector, report.verdict);
+  report.findings = std::move(diagnosis.findings);
+  report.explaining = std::move(diagnosis.explaining);
   if (isExact) report.reference = compareReference(drawn, expected);
   return report;
 }
@@ -217,20 +219,29 @@ VerdictCounts countVerdicts(std::span<const Report> reports) {
 
 std::optional<CommonFault> commonFault(std::span<const Report> reports) {
   std::vector<CommonFault> faults;
+  const auto isKnown = [&](const Finding& finding) {
+    return std::any_of(faults.begin(), faults.end(),
+                       [&](const CommonFault& common) { return common.finding.fault == finding.fault; });
+  };
   std::size_t failures = 0;
   for (const Report& report : reports) {
     failures += hasErrors(report.verdict);
-    for (const Finding& finding : report.findings) {
-      const auto isSame = [&](const CommonFault& common) { return common.finding.fault == finding.fault; };
-      auto place = std::find_if(faults.begin(), faults.end(), isSame);
-      if (place == faults.end()) place = faults.insert(place, {finding, 0, 0});
-      ++place->vectors;
-    }
+    for (const Finding& finding : report.findings)
+      if (!isKnown(finding)) faults.push_back({finding, 0, 0});
+  }
+  for (CommonFault& common : faults) {
+    const auto isNamedIn = [&](const Report& report) {
+      const std::string& fault = common.finding.fault;
+      return std::find(report.explaining.begin(), report.explaining.end(), fault) != report.explaining.end() ||
+             std::any_of(report.findings.begin(), report.findings.end(),
+                         [&](const Finding& finding) { return finding.fault == fault; });
+    };
+    common.failures = failures;
+    common.vectors = static_cast<std::size_t>(std::count_if(reports.begin(), reports.end(), isNamedIn));
   }
   if (faults.empty()) return {};
-  CommonFault common = *std::max_element(
+  const CommonFault common = *std::max_element(
       faults.begin(), faults.end(), [](const CommonFault& a, const CommonFault& b) { return a.vectors < b.vectors; });
-  common.failures = failures;
   if (20 * common.vectors < failures) return {};
   return common;
 }
@@ -238,9 +249,9 @@ std::optional<CommonFault> commonFault(std::span<const Report> reports) {
 bool isWeak(const CommonFault& common) { return 2 * common.vectors < common.failures; }
 
 std::string toText(const CommonFault& common) {
-  return common.finding.fault + ", in " + std::to_string(common.vectors) + " of " + std::to_string(common.failures) +
-         " vectors with errors" + (isWeak(common) ? " (weak: it does not explain the other vectors): " : ": ") +
-         common.finding.advice;
+  return (isWeak(common) ? "perhaps " : "") + common.finding.fault + ", in " + std::to_string(common.vectors) + " of " +
+         std::to_string(common.failures) + " vectors with errors" +
+         (isWeak(common) ? " (a guess: it does not explain the other vectors): " : ": ") + common.finding.advice;
 }
 
 Json toJson(const Report& report) {

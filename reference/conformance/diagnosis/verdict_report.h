@@ -33,6 +33,7 @@ struct Report {
   bool isMissing = false;                        ///< the device did not draw the vector; no faces
   std::optional<DeviceFailure> device = {};      ///< of the program that should have drawn the vector; no faces
   std::optional<Repetition> repetition = {};     ///< only of several runs; the verdict is that of the first one
+  std::vector<std::string> explaining = {};      ///< the faults that explain the errors (diagnosis.h)
 };
 
 Outcome outcomeOf(const Report& report);
@@ -54,21 +55,22 @@ std::string toText(const ReferenceCheck& check);
 /// Over all faces of all vectors.
 VerdictCounts countVerdicts(std::span<const Report> reports);
 
-/// The fault that most of the failing vectors name. It may be unique even if single vectors name several faults.
+/// The fault that explains most of the failing vectors, of those that a vector names. It may be unique even if single
+/// vectors name several faults.
 struct CommonFault {
   Finding finding;           ///< of the first vector that names it
-  std::size_t vectors = 0;   ///< vectors that name it
+  std::size_t vectors = 0;   ///< vectors that it explains
   std::size_t failures = 0;  ///< vectors with errors
 };
 
-/// Of equals the first one. Nothing if fewer than one in twenty of the failing vectors name a fault: it may agree by
-/// chance.
+/// Of equals the first one. Nothing if a fault explains fewer than one in twenty of the failing vectors: it may agree
+/// by chance.
 std::optional<CommonFault> commonFault(std::span<const Report> reports);
 
-/// Whether less than half of the failing vectors name it: the rest has another cause, and it may be a coincidence.
+/// Whether it explains less than half of the failing vectors: the rest has another cause, and it may be a coincidence.
 bool isWeak(const CommonFault& common);
 
-/// "linear filtering, in 3 of 4 vectors with errors: set both filters ...". A weak one says so.
+/// "linear filtering, in 3 of 4 vectors with errors: set both filters ...". A weak one is said as a guess.
 std::string toText(const CommonFault& common);
 
 /// A JSON object with the keys

@@ -133,7 +133,8 @@ TEST_CASE("commonFault names the fault that most of the failing vectors share", 
   many[7] = reports[2];
   REQUIRE(reference::commonFault(many));
   CHECK(toText(*reference::commonFault(many)) ==
-        "linear filtering, in 1 of 20 vectors with errors (weak: it does not explain the other vectors): nearest");
+        "perhaps linear filtering, in 1 of 20 vectors with errors (a guess: it does not explain the other vectors): "
+        "nearest");
   many.push_back(reports[3]);
   CHECK_FALSE(reference::commonFault(many));
 
@@ -150,6 +151,20 @@ TEST_CASE("commonFault names the fault that most of the failing vectors share", 
   const auto passed = nlohmann::json(reference::toJson(std::span(&reports[1], 1)));
   CHECK(passed["pass"] == true);
   CHECK(passed["diagnosis"].is_null());
+}
+
+TEST_CASE("commonFault counts the vectors that a named fault explains on a few pixels, too", "[verdict]") {
+  JudgedWall wrong;
+  wrong.found[0].ids[0] = 0;
+  const reference::Finding linear{"linear filtering", "", 1, "nearest"}, dithering{"dithering", "", 1, "off"};
+  Report named{wrong.verdict(), {}, {linear}}, other{wrong.verdict(), {}, {dithering}}, few{wrong.verdict(), {}, {}};
+  few.explaining = {"padded rows", "linear filtering"};
+  const std::vector<Report> reports{other, other, named, few, few, few};
+  const std::optional<reference::CommonFault> common = reference::commonFault(reports);
+  REQUIRE(common);
+  CHECK(toText(*common) == "linear filtering, in 4 of 6 vectors with errors: nearest");
+  // A fault that no vector names is no common fault.
+  CHECK_FALSE(reference::commonFault(std::vector<Report>{few, few}));
 }
 
 TEST_CASE("reportOn judges exactly by the independent evaluator and compares the reference with it", "[verdict]") {
