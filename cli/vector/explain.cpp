@@ -1,7 +1,6 @@
 /// `hemitex vector explain` derives the item ID of one pixel by the raster rules, and lists the triangles that cover
 /// it.
 #include <iostream>
-#include <map>
 #include <memory>
 
 #include "cli/common/commands.h"
@@ -9,6 +8,7 @@
 #include "cli/common/table.h"
 #include "raster/base/input_error.h"
 #include "reference/conformance/vectors/vector_file.h"
+#include "reference/conformance/verdict/derivation_text.h"
 #include "reference/conformance/verdict/explanation.h"
 
 namespace hemitex::cli {
@@ -43,56 +43,6 @@ const reference::VectorFace& faceOf(const reference::TestVector& vector, const P
   throw raster::InputError("--pixel: the vector has no face \"" + pixel.face + "\"", "it has " + names);
 }
 
-/// Where the values of a key come from.
-const std::map<std::string, std::string> formulas{
-    {"vertices", "d = P - eye; x = X.d, y = Y.d, w = W.d in binary32"},
-    {"clip", "to w >= n and |x|, |y| <= 8w"},
-    {"corners", "q = (x/w, y/w), clamped to [-8, 8]; snapped = nearbyint((q + 1) 128 R)"},
-    {"sample", "in 1/256 pixel"},
-    {"area", "doubled"},
-    {"faces_away", "area and det(X, Y, W) have the same sign"},
-    {"edges", "opposite the corners; inside > 0, and = 0 on top and left edges"},
-    {"weights", "b = edge / |area|"},
-    {"inverse_depth", "sum of b/w"},
-    {"u", "sum of b u/w over 1/w"},
-    {"v", "sum of b v/w over 1/w"},
-    {"texel", "floor of position = (u N, v M), clamped to the map"},
-    {"sums", "offset + texel, clamped or modulo 2^bits"},
-    {"word", "the item ID"},
-    {"runner_up", "the next triangle; difference of 1/w"}};
-
-std::string inLine(const Json& value) {
-  if (value.is_null()) return "none";
-  if (value.is_string()) return value.get<std::string>();
-  if (value.is_number_float()) {
-    // A binary32 is written as such: 0.1, not 0.10000000149011612.
-    const auto wide = value.get<double>();
-    const auto narrow = static_cast<float>(wide);
-    return static_cast<double>(narrow) == wide ? toText(narrow) : toText(wide);
-  }
-  if (!value.is_structured()) return value.dump();
-  std::string text;
-  for (const auto& [key, entry] : value.items())
-    text += (text.empty() ? "" : ", ") + (value.is_object() ? key + " " : "") + inLine(entry);
-  return value.is_object() ? text : "(" + text + ")";
-}
-
-/// A line per key, with the formula of its values; lists of objects take a line per entry.
-std::string toLines(const Json& steps) {
-  std::string lines;
-  for (const auto& [key, value] : steps.items()) {
-    const auto formula = formulas.find(key);
-    lines += key + (formula == formulas.end() ? "" : " (" + formula->second + ")") + ":";
-    const bool isList = value.is_array() && !value.empty() && value[0].is_object();
-    if (isList)
-      for (const Json& entry : value) lines += "\n  " + inLine(entry);
-    else
-      lines += " " + inLine(value);
-    lines += "\n";
-  }
-  return lines;
-}
-
 void explain(const std::filesystem::path& folder, const Pixel& pixel, const Context& context) {
   const reference::TestVector vector = reference::readVector(folder);
   const reference::VectorFace& face = faceOf(vector, pixel);
@@ -101,11 +51,9 @@ void explain(const std::filesystem::path& folder, const Pixel& pixel, const Cont
     std::cout << toText(found);
     return;
   }
-  std::cout << "pixel " << pixel.column << ',' << pixel.row << " of " << pixel.face << " holds " << found["word"]
-            << ": " << found["from"].get<std::string>() << "\n";
+  std::cout << reference::derivationText(found, face.face);
   if (found["derivation"].is_null()) return;
-  std::cout << toLines({{"face", reference::viewOf(face.face)}}) << toLines(found["derivation"])
-            << "triangles that cover it, nearest first:\n";
+  std::cout << "triangles that cover it, nearest first:\n";
   writeCsv(std::cout, tableOf(found["triangles"]));
 }
 

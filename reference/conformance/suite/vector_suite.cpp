@@ -6,8 +6,8 @@ namespace hemitex::reference {
 
 std::vector<TestVector> vectorSuite() {
   std::vector<TestVector> suite;
-  for (const auto& theme : {meshVectors, coverageVectors, depthVectors, texelVectors, idVectors, viewVectors})
-    for (TestVector& vector : theme()) suite.push_back(std::move(vector));
+  for (const SuiteTheme& theme : suiteThemes)
+    for (TestVector& vector : theme.vectors()) suite.push_back(std::move(vector));
   return suite;
 }
 

@@ -5,6 +5,7 @@
 /// The vectors of scenes (scene_vectors.h) are the other part of the suite. The vectors here need only the rasterizer.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "reference/conformance/vectors/vector_file.h"
@@ -25,5 +26,18 @@ std::vector<TestVector> viewVectors();      ///< faces, viewports, scissor recta
 /// The binary32 numbers next below k/N, nearest to it and next above it, for all k from 0 to N: each fills a pixel, the
 /// texel's number its item ID. Along u first, then along v with a mark of 0x10000.
 TestVector texelBorders(int texels);
+
+struct SuiteTheme {
+  const char* name;
+  std::vector<TestVector> (*vectors)();
+};
+
+/// In the order of the suite.
+inline constexpr std::array<SuiteTheme, 6> suiteThemes{{{"meshes", meshVectors},
+                                                        {"coverage", coverageVectors},
+                                                        {"depth", depthVectors},
+                                                        {"texels", texelVectors},
+                                                        {"ids", idVectors},
+                                                        {"views", viewVectors}}};
 
 }  // namespace hemitex::reference

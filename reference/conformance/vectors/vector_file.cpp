@@ -281,6 +281,16 @@ std::vector<raster::Face> facesOf(const TestVector& vector) {
   return faces;
 }
 
+std::vector<filesystem::path> vectorFolders(const filesystem::path& suite) {
+  const auto isVector = [](const filesystem::path& folder) { return filesystem::exists(folder / "vector.json"); };
+  if (isVector(suite) || !filesystem::is_directory(suite)) return {suite};
+  std::vector<filesystem::path> folders;
+  for (const filesystem::directory_entry& entry : filesystem::directory_iterator(suite))
+    if (isVector(entry.path())) folders.push_back(entry.path());
+  std::sort(folders.begin(), folders.end());
+  return folders.empty() ? std::vector{suite} : folders;
+}
+
 TestVector readVector(const filesystem::path& folder) {
   const filesystem::path file = folder / "vector.json";
   if (!filesystem::is_regular_file(file))

@@ -43,6 +43,9 @@ glm::ivec2 pixelAt(const raster::Scissor& scissor, std::size_t index);
 /// The item buffers of a vector's faces, by the reference renderer.
 std::vector<raster::ItemBuffer> render(const TestVector& vector);
 
+/// The vector folders of a suite, in the order of their names. Any other folder stands for itself.
+std::vector<std::filesystem::path> vectorFolders(const std::filesystem::path& suite);
+
 /// Reads `folder/vector.json` and its arrays. Throws InputError with the name of the file if anything is missing, of
 /// the wrong size or type, or against the rules.
 TestVector readVector(const std::filesystem::path& folder);
