@@ -24,14 +24,15 @@ void addVectorRender(Command vector, Context& context);
 void addVectorRandom(Command vector, Context& context);
 void addVectorCheck(Command vector, Context& context);
 void addVectorRun(Command vector, Context& context);
+void addVectorServe(Command vector, Context& context);
 void addVectorExplain(Command vector, Context& context);
 void addVectorCalibrate(Command vector, Context& context);
 void addVectorVerify(Command vector, Context& context);
 
 /// All commands that need no scene: hemitex-vector has them alone, `hemitex vector` beside `export` and `suite`.
 inline void addVectorCommands(Command parent, Context& context) {
-  for (const auto add : {addVectorRender, addVectorRandom, addVectorCheck, addVectorRun, addVectorExplain,
-                         addVectorCalibrate, addVectorVerify})
+  for (const auto add : {addVectorRender, addVectorRandom, addVectorCheck, addVectorRun, addVectorServe,
+                         addVectorExplain, addVectorCalibrate, addVectorVerify})
     add(parent, context);
 }
 

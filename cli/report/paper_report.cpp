@@ -2,6 +2,7 @@
 
 #include <sstream>
 
+#include "cli/common/base64.h"
 #include "cli/common/json.h"
 #include "cli/common/table.h"
 #include "cli/report/embedded_files.h"

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "cli/common/base64.h"
 #include "cli/common/json.h"
 #include "cli/report/embedded_files.h"
 #include "cli/report/html_page.h"

@@ -5,6 +5,7 @@
 #include <boost/algorithm/string.hpp>
 #include <sstream>
 
+#include "cli/common/base64.h"
 #include "cli/common/json.h"
 #include "cli/report/embedded_files.h"
 #include "cli/report/html_page.h"

@@ -6,7 +6,9 @@
 
 #include "cli/common/json.h"
 #include "cli/common/table.h"
+#include "cli/vector/results_page.h"
 #include "raster/base/file_io.h"
+#include "raster/base/input_error.h"
 #include "reference/conformance/calibration/device_class.h"
 #include "reference/conformance/diagnosis/verdict_report.h"
 #include "reference/conformance/pictures/verdict_picture.h"
@@ -19,18 +21,6 @@ namespace {
 namespace fs = std::filesystem;
 using reference::Report;
 
-bool isVector(const fs::path& folder) { return fs::exists(folder / "vector.json"); }
-
-/// The vector folders of a suite, in the order of their names. Any other folder stands for itself.
-std::vector<fs::path> vectorFolders(const fs::path& folder) {
-  if (isVector(folder) || !fs::is_directory(folder)) return {folder};
-  std::vector<fs::path> folders;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder))
-    if (isVector(entry.path())) folders.push_back(entry.path());
-  std::sort(folders.begin(), folders.end());
-  return folders.empty() ? std::vector{folder} : folders;
-}
-
 /// Without `.`, `..` and a slash at the end; links keep their names.
 fs::path normalized(const fs::path& folder) {
   const fs::path path = fs::absolute(folder).lexically_normal();
@@ -41,8 +31,29 @@ fs::path normalized(const fs::path& folder) {
 reference::Expectations expectationsOf(const fs::path& file, const fs::path& folder) {
   if (file.empty()) return {};
   std::vector<std::string> names;
-  for (const fs::path& vector : vectorFolders(folder)) names.push_back(normalized(vector).filename());
+  for (const fs::path& vector : reference::vectorFolders(folder)) names.push_back(normalized(vector).filename());
   return reference::readExpectations(file, names);
+}
+
+/// Reads `I/N`. Throws a usage error.
+Shard shardOption(const std::string& text) {
+  const std::size_t slash = text.find('/');
+  const auto number = parseInteger(text.substr(0, slash));
+  const auto count = slash == std::string::npos ? std::nullopt : parseInteger(text.substr(slash + 1));
+  if (!number || !count || *number < 1 || *count < *number)
+    usageError("--shard", "`" + text + "` is not I/N with I from 1 to N");
+  return {static_cast<std::size_t>(*number), static_cast<std::size_t>(*count)};
+}
+
+/// Throws InputError if there are fewer folders than parts.
+std::vector<fs::path> partOf(const std::vector<fs::path>& folders, const Shard& shard) {
+  if (folders.size() < shard.count)
+    throw raster::InputError("the suite has fewer vectors, " + std::to_string(folders.size()) + ", than parts, " +
+                                 std::to_string(shard.count),
+                             "share it among fewer runs");
+  std::vector<fs::path> part;
+  for (std::size_t k = shard.number - 1; k < folders.size(); k += shard.count) part.push_back(folders[k]);
+  return part;
 }
 
 /// Prints counts by verdict, with the name of what each row counts.
@@ -185,6 +196,15 @@ void writePicture(const fs::path& file, const JudgingOptions& options, const Sui
         file, toPicture(reports[*shown].verdict, raster::backgroundId(suite.vectors[*shown].vector.list.format)));
 }
 
+/// Pictures are made in the folder `scratch`.
+std::string pageOf(const Suite& suite, const std::vector<Report>& reports, const fs::path& scratch) {
+  ResultsPage page{.suite = suite.folder.filename(), .diagnosis = {}, .results = {}};
+  if (const auto common = reference::commonFault(reports)) page.diagnosis = toText(*common);
+  for (std::size_t k = 0; k < reports.size(); ++k)
+    page.results.push_back({suite.vectors[k].vector, reports[k], remarkOn(reports[k])});
+  return toHtml(page, scratch);
+}
+
 /// Minimizes the first vector that fails unexpectedly, else the first that fails.
 void writeMinimal(Staging& staging, const JudgingOptions& options, const Suite& suite,
                   const std::vector<Report>& reports, const Minimizer& minimize) {
@@ -198,9 +218,10 @@ void writeFiles(const JudgingOptions& options, JudgingFiles& files, const Suite&
                 const std::vector<Report>& reports, const Minimizer& minimize) {
   if (files.junit) raster::writeFile(files.junit->file(), toJUnit(reports, options.isStrict));
   if (files.record) raster::writeFile(files.record->file(), toJson(recordOf(options, suite, reports)));
+  if (files.page) raster::writeFile(files.page->file(), pageOf(suite, reports, files.page->folder()));
   if (files.picture) writePicture(files.picture->file(), options, suite, reports);
   if (files.minimal) writeMinimal(*files.minimal, options, suite, reports, minimize);
-  for (std::optional<Staging>* file : {&files.junit, &files.record, &files.picture})
+  for (std::optional<Staging>* file : {&files.junit, &files.page, &files.record, &files.picture})
     if (*file) (*file)->commit();
 }
 
@@ -213,6 +234,7 @@ JudgingFiles::JudgingFiles(const JudgingOptions& options, const Context& context
     staging->requirePlaces({file.filename()});
   };
   open(junit, options.junit, "--junit");
+  open(page, options.page, "--html");
   open(record, options.record, "--record");
   open(picture, options.picture, "--diff");
   if (options.minimal.empty()) return;
@@ -222,6 +244,8 @@ JudgingFiles::JudgingFiles(const JudgingOptions& options, const Context& context
 
 void addJudgingOptions(Command command, JudgingOptions& options) {
   command.addPath("DIR", options.suite, "folder of the vector, or of a suite of vectors").required();
+  const Option shard = command.addText("--shard", "I/N", "only part I of N equal parts of the suite (default 1/1)",
+                                       [&options](const std::string& text) { options.shard = shardOption(text); });
   const Command rules = command.under("Rules");
   rules.addPath("--profile", options.profile,
                 "JSON file with the permitted deviations of the device (default: those of the Vulkan class)");
@@ -237,6 +261,10 @@ void addJudgingOptions(Command command, JudgingOptions& options) {
   files.addOutputFile("--junit", options.junit,
                       "write a JUnit XML file with one test suite per vector and one test case per face");
   files.addOutputFile(
+      "--html", options.page,
+      "write an HTML page with all results, and for each failing vector its pictures, diagnosis and the "
+      "derivation of a wrong pixel");
+  files.addOutputFile(
       "--diff", options.picture,
       "write a PNG file with expected, found and verdict side by side; for a suite, of the first failing vector");
   files.addOutputFolder(
@@ -251,18 +279,20 @@ void addJudgingOptions(Command command, JudgingOptions& options) {
   record.needs(device).needs(driver);
   device.needs(record);
   driver.needs(record);
+  record.excludes(shard);
 }
 
 Suite readSuite(const JudgingOptions& options) {
-  Suite suite;
-  const std::vector<fs::path> folders = vectorFolders(options.suite);
-  suite.isSingle = folders == std::vector{options.suite};
+  Suite suite{.folder = normalized(options.suite), .vectors = {}};
+  const std::vector<fs::path> all = reference::vectorFolders(options.suite);
+  const std::vector<fs::path> folders = partOf(all, options.shard);
+  suite.isSingle = all == std::vector{options.suite};
   suite.vectors = makeAll<SuiteVector>(folders.size(), [&](std::size_t k) -> SuiteVector {
     const fs::path folder = normalized(folders[k]);
     return {folder, folder.filename(), reference::readVector(folders[k]), {}};
   });
-  const fs::path folder = normalized(options.suite);
-  const auto expectations = expectationsOf(options.expectations, suite.isSingle ? folder.parent_path() : folder);
+  const auto expectations =
+      expectationsOf(options.expectations, suite.isSingle ? suite.folder.parent_path() : suite.folder);
   for (SuiteVector& vector : suite.vectors)
     if (const auto place = expectations.find(vector.name); place != expectations.end()) vector.expected = place->second;
   return suite;

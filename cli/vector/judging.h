@@ -16,9 +16,15 @@
 
 namespace hemitex::cli {
 
+/// Part `number` of a suite that `count` runs share: every count-th vector.
+struct Shard {
+  std::size_t number = 1, count = 1;
+};
+
 struct JudgingOptions {
-  std::filesystem::path suite, profile, expectations, junit, picture, minimal, record;
+  std::filesystem::path suite, profile, expectations, junit, page, picture, minimal, record;
   std::string device, driver;  ///< names for the record
+  Shard shard;
   bool isExact = false, isStrict = false, isDepthStrict = false;
 };
 void addJudgingOptions(Command command, JudgingOptions& options);
@@ -48,12 +54,13 @@ struct SuiteVector {
 };
 
 struct Suite {
+  std::filesystem::path folder;      ///< absolute
   std::vector<SuiteVector> vectors;  ///< in the order of their names
   bool isSingle = false;             ///< the folder of one vector, not of several
 };
 
-/// Reads all vectors and expectations. The folder of one vector may share the expectations of the vectors beside it.
-/// Throws InputError for a folder without vectors and for wrong expectations.
+/// Reads all vectors of the shard, and expectations. The folder of one vector may share the expectations of the vectors
+/// beside it. Throws InputError for a folder or a shard without vectors and for wrong expectations.
 Suite readSuite(const JudgingOptions& options);
 
 /// The folder of a device's item IDs for a vector.
@@ -82,7 +89,7 @@ using Minimizer = std::function<SmallFailure(const SuiteVector&, const reference
 struct JudgingFiles {
   JudgingFiles(const JudgingOptions& options, const Context& context);
 
-  std::optional<Staging> junit, record, picture, minimal;
+  std::optional<Staging> junit, page, record, picture, minimal;
 };
 
 /// Writes the requested files, prints the results, and sets `context.failed` if a result is not as expected.

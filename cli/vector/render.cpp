@@ -3,7 +3,6 @@
 
 #include "cli/common/commands.h"
 #include "cli/common/staging.h"
-#include "cli/devices/renderers.h"
 #include "cli/vector/vector_output.h"
 #include "reference/conformance/trace/stage_dump.h"
 
@@ -45,13 +44,7 @@ void addVectorRender(Command vector, Context& context) {
   const auto options = std::make_shared<RenderOptions>();
   const Command command = vector.addCommand("render", "Draw the item IDs of a test vector by the raster rules");
   command.addPath("DIR", options->input, "folder of the vector").required();
-  addChoice<Device>(command, "--device", options->device,
-                    {{"software", Device::Software},
-                     {"opengl", Device::OpenGl},
-                     {"opengl-fixed-function", Device::OpenGlFixedFunction},
-                     {"opengl-plain", Device::OpenGlPlain},
-                     {"vulkan", Device::Vulkan}},
-                    "draw with this renderer; software follows the raster rules exactly (default software)");
+  addDevice(command, options->device);
   addStages(command, options->stages);
   addOutput(command, options->output, "write the vector with its item IDs into this folder, which may be DIR");
   command.addExamples({"suite/fans-later-nearer -o drawn/fans-later-nearer", "vector -o drawn --device opengl"});

@@ -1,4 +1,5 @@
-/// `hemitex vector run` starts the program of a device for each vector and judges what it writes.
+/// `hemitex vector run` lets the program of a device draw each vector, and judges what it writes.
+#include <algorithm>
 #include <csignal>
 #include <cstdlib>
 #include <memory>
@@ -8,11 +9,11 @@
 #include "cli/common/commands.h"
 #include "cli/common/interruption.h"
 #include "cli/common/staging.h"
+#include "cli/vector/device_program.h"
 #include "cli/vector/judging.h"
 #include "raster/base/input_error.h"
 #include "raster/base/thread_group.h"
 #include "reference/conformance/vectors/vector_file.h"
-#include "reference/conformance/verdict/device_process.h"
 #include "reference/conformance/verdict/reduction.h"
 
 namespace hemitex::cli {
@@ -20,21 +21,15 @@ namespace {
 
 namespace fs = std::filesystem;
 using reference::DeviceFailure;
-using reference::DeviceFault;
 
 constexpr double maxSeconds = 1e6;
 constexpr int maxJobs = 4096, maxRepetitions = 1000000;
 /// Enough for thousands of triangles; a vector that needs tens of thousands stays larger than it must.
 constexpr std::size_t maxReductionRuns = 5000;
 
-struct DeviceProgram {
-  std::vector<std::string> command;  ///< with {vector} and {output}
-  double timeLimit = 10;             ///< seconds per vector
-};
-
 struct RunOptions {
   JudgingOptions judging;
-  DeviceProgram device;
+  DeviceSettings device;
   fs::path output;
   int jobs = 0;  ///< 0: one per core
   int repetitions = 1;
@@ -59,36 +54,6 @@ class ScratchFolder {
   std::string name_ = (fs::temp_directory_path() / "hemitex-XXXXXX").string();
 };
 
-/// What is wrong with the item ID files of a program that ended well.
-std::optional<DeviceFailure> checkFiles(const reference::TestVector& vector, const fs::path& folder,
-                                        const reference::ProcessResult& process) {
-  for (const reference::VectorFace& face : vector.faces) {
-    const fs::path file = folder / face.ids;
-    if (!fs::is_regular_file(fs::symlink_status(file)))
-      return DeviceFailure{DeviceFault::MissingFile, face.ids + " is missing", process};
-    const auto width = static_cast<std::size_t>(face.face.scissor.width),
-               height = static_cast<std::size_t>(face.face.scissor.height);
-    const std::size_t bytes = width * height * sizeof(raster::ItemId);
-    if (fs::file_size(file) != bytes)
-      return DeviceFailure{
-          DeviceFault::WrongSize,
-          face.ids + " holds " + std::to_string(fs::file_size(file)) + " bytes instead of " + std::to_string(bytes),
-          process};
-  }
-  return {};
-}
-
-/// Starts the program for the vector in `folder`. It writes its item ID files into `output`, an empty folder that this
-/// function makes. Returns why there are none. A LongRun that stops ends the program.
-std::optional<DeviceFailure> draw(const DeviceProgram& program, const reference::TestVector& vector,
-                                  const fs::path& folder, const fs::path& output) {
-  fs::create_directories(output);
-  const auto words = reference::fillCommand(program.command, folder.string(), output.string());
-  const reference::ProcessResult process = reference::runProcess(words, program.timeLimit, &LongRun::isStopping());
-  if (process.hasSucceeded()) return checkFiles(vector, output, process);
-  return failureOf(process);
-}
-
 /// What a device did with a vector.
 struct Drawing {
   std::optional<DeviceFailure> failure;
@@ -96,16 +61,16 @@ struct Drawing {
 };
 
 /// The first run writes into `output`.
-Drawing drawRepeatedly(const RunOptions& options, const SuiteVector& vector, const fs::path& output) {
-  Drawing drawing{draw(options.device, vector.vector, vector.folder, output), {}};
-  if (options.repetitions == 1 || drawing.failure) return drawing;
+Drawing drawRepeatedly(DeviceProgram& device, int repetitions, const SuiteVector& vector, const fs::path& output) {
+  Drawing drawing{device.draw(vector.vector, vector.folder, output), {}};
+  if (repetitions == 1 || drawing.failure) return drawing;
   reference::RepeatedRuns runs(vector.vector);
   runs.add(reference::readCandidate(output, vector.vector));
-  for (int run = 2; run <= options.repetitions && !LongRun::isStopping(); ++run) {
+  for (int run = 2; run <= repetitions && !LongRun::isStopping(); ++run) {
     const ScratchFolder scratch;
-    drawing.failure = draw(options.device, vector.vector, vector.folder, scratch.path());
+    drawing.failure = device.draw(vector.vector, vector.folder, scratch.path());
     if (drawing.failure) {
-      drawing.failure->message += ", in run " + std::to_string(run) + " of " + std::to_string(options.repetitions);
+      drawing.failure->message += ", in run " + std::to_string(run) + " of " + std::to_string(repetitions);
       return drawing;
     }
     runs.add(reference::readCandidate(scratch.path(), vector.vector));
@@ -114,14 +79,15 @@ Drawing drawRepeatedly(const RunOptions& options, const SuiteVector& vector, con
   return drawing;
 }
 
-/// Starts the program for each vector that is not unsupported. The results have the order of the suite.
-std::vector<Drawing> drawAll(const RunOptions& options, const Suite& suite, const fs::path& folder) {
+/// Draws each vector that is not unsupported. The results have the order of the suite.
+std::vector<Drawing> drawAll(const RunOptions& options, DeviceProgram& device, const Suite& suite,
+                             const fs::path& folder) {
   const auto jobs = options.jobs > 0 ? static_cast<unsigned>(options.jobs) : std::thread::hardware_concurrency();
   std::vector<Drawing> drawings(suite.vectors.size());
   raster::forEachOnThreads(suite.vectors.size(), jobs, [&](std::size_t k) {
     const SuiteVector& vector = suite.vectors[k];
     if (LongRun::isStopping() || isUnsupported(vector)) return;
-    drawings[k] = drawRepeatedly(options, vector, answerFolder(suite, vector, folder));
+    drawings[k] = drawRepeatedly(device, options.repetitions, vector, answerFolder(suite, vector, folder));
   });
   return drawings;
 }
@@ -153,11 +119,11 @@ struct Answer {
   std::vector<raster::ItemBuffer> found;
 };
 
-Answer answerTo(const DeviceProgram& device, const reference::TestVector& vector) {
+Answer answerTo(DeviceProgram& device, const reference::TestVector& vector) {
   const ScratchFolder scratch;
   fs::create_directory(scratch.path() / "vector");
   reference::writeVector(scratch.path() / "vector", vector, {});
-  Answer answer{draw(device, vector, scratch.path() / "vector", scratch.path() / "output"), {}};
+  Answer answer{device.draw(vector, scratch.path() / "vector", scratch.path() / "output"), {}};
   if (!answer.failure) answer.found = reference::readCandidate(scratch.path() / "output", vector);
   return answer;
 }
@@ -171,14 +137,14 @@ bool failsAlike(const Answer& answer, const reference::TestVector& vector, const
 }
 
 /// The vector as small as the device still fails on it.
-SmallFailure minimizeOnDevice(const RunOptions& options, const SuiteVector& vector, const reference::Report& report) {
-  const reference::DeviceProfile profile = profileOf(options.judging);
+SmallFailure minimizeOnDevice(DeviceProgram& device, const reference::DeviceProfile& profile, const SuiteVector& vector,
+                              const reference::Report& report) {
   const auto fails = [&](const reference::TestVector& smaller) {
     if (LongRun::isStopping() || smaller.list.indices.empty()) return false;
-    return failsAlike(answerTo(options.device, smaller), smaller, report, profile);
+    return failsAlike(answerTo(device, smaller), smaller, report, profile);
   };
   const reference::TestVector smallest = reference::reduce(vector.vector, fails, maxReductionRuns);
-  return {smallest, reference::render(smallest), answerTo(options.device, smallest).found};
+  return {smallest, reference::render(smallest), answerTo(device, smallest).found};
 }
 
 fs::path canonicalPath(const fs::path& folder) {
@@ -212,11 +178,12 @@ void run(const RunOptions& options, Context& context) {
   refuseToReplace(suite, options.output);
   JudgingFiles files(options.judging, context);
   const LongRun stopsPrograms;
+  DeviceProgram device(options.device);
   std::signal(SIGCHLD, SIG_DFL);  // a parent may have ignored it, and then no exit code arrives
   std::vector<reference::Report> reports;
   {
     Staging staging({.place = options.output, .writer = "vector run", .inputs = context.inputs()});
-    const std::vector<Drawing> drawings = drawAll(options, suite, staging.folder());
+    const std::vector<Drawing> drawings = drawAll(options, device, suite, staging.folder());
     if (!LongRun::isStopping()) {
       reports = judgeAll(options.judging, suite, staging.folder(), drawings);
       staging.commit({}, filesToRemove(suite, options.output));
@@ -224,7 +191,7 @@ void run(const RunOptions& options, Context& context) {
   }
   if (LongRun::isStopping()) return;
   const auto minimize = [&](const SuiteVector& vector, const reference::Report& report) {
-    return minimizeOnDevice(options, vector, report);
+    return minimizeOnDevice(device, profileOf(options.judging), vector, report);
   };
   writeResults(options.judging, files, suite, reports, minimize, context);
 }
@@ -233,7 +200,8 @@ void run(const RunOptions& options, Context& context) {
 
 void addVectorRun(Command vector, Context& context) {
   const auto options = std::make_shared<RunOptions>();
-  const Command command = vector.addCommand("run", "Start a device's program for each vector and judge its item IDs");
+  const Command command =
+      vector.addCommand("run", "Let the program of a device draw each vector, and judge its item IDs");
   const Command device = command.under("Device");
   device
       .addText("--device", "COMMAND",
@@ -241,6 +209,9 @@ void addVectorRun(Command vector, Context& context) {
                [options](const std::string& text) { options->device.command = reference::splitCommand(text); })
       .required();
   addOutput(device, options->output, "folder for the item IDs; for a suite, one folder per vector");
+  device.addFlag("--lines", options->device.stays,
+                 "the program draws many vectors: each line on its stdin names {vector} and {output}, separated by a "
+                 "tab, and it answers done, or failed and a reason");
   device.addText("--time-limit", "SECONDS", "time per vector, after which the program is stopped (default 10)",
                  [options](const std::string& text) {
                    options->device.timeLimit = positiveOption("--time-limit", text, maxSeconds);
@@ -249,11 +220,18 @@ void addVectorRun(Command vector, Context& context) {
   addInteger(device, "--repeat", options->repetitions, 1, maxRepetitions,
              "draw each vector N times; it fails if its item IDs are not always the same (default 1)");
   addJudgingOptions(command, options->judging);
-  command.showFirst({"--device", "--output", "--time-limit", "--jobs", "--repeat", "--profile", "--expectations",
-                     "--junit", "--diff", "--record"});
+  command.showFirst({"--device", "--output", "--lines", "--time-limit", "--jobs", "--profile", "--expectations",
+                     "--shard", "--junit", "--html"});
   command.addExamples({"suite --device './draw {vector} {output}' -o drawn",
-                       "suite --device './draw {vector} {output}' -o drawn --repeat 3 --time-limit 60"});
-  command.onRead([options, &context] { context.command = [options, &context] { run(*options, context); }; });
+                       "suite --device ./serve --lines -o drawn --repeat 3 --html results.html"});
+  command.onRead([options, &context] {
+    const auto names = [](const std::string& word) {
+      return word.find("{vector}") != std::string::npos || word.find("{output}") != std::string::npos;
+    };
+    if (options->device.stays && std::ranges::any_of(options->device.command, names))
+      usageError("--lines", "the program reads {vector} and {output} from its stdin; leave them out of the command");
+    context.command = [options, &context] { run(*options, context); };
+  });
 }
 
 }  // namespace hemitex::cli

@@ -43,6 +43,16 @@ void writeVectors(const std::filesystem::path& folder, const std::string& writer
     writeCsv(std::cout, tableOf(vectors));
 }
 
+void addDevice(Command command, Device& device) {
+  addChoice<Device>(command, "--device", device,
+                    {{"software", Device::Software},
+                     {"opengl", Device::OpenGl},
+                     {"opengl-fixed-function", Device::OpenGlFixedFunction},
+                     {"opengl-plain", Device::OpenGlPlain},
+                     {"vulkan", Device::Vulkan}},
+                    "draw with this renderer; software follows the raster rules exactly (default software)");
+}
+
 void addStages(Command command, bool& stages) {
   command.addFlag("--stages", stages,
                   "also write the intermediate results between vertices and item IDs (stages.json)");

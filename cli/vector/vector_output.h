@@ -1,10 +1,11 @@
-/// Output that several commands for test vectors share.
+/// Options and output that several commands for test vectors share.
 #pragma once
 
 #include <filesystem>
 #include <functional>
 
 #include "cli/common/options.h"
+#include "cli/devices/renderers.h"
 #include "reference/conformance/vectors/vector_file.h"
 
 namespace hemitex::cli {
@@ -17,6 +18,9 @@ void printFaces(const reference::TestVector& vector, const Context& context);
 void writeVectors(const std::filesystem::path& folder, const std::string& writer, std::size_t count,
                   const std::function<reference::TestVector(std::size_t)>& vectorAt, bool withIds,
                   const Context& context);
+
+/// Adds `--device`.
+void addDevice(Command command, Device& device);
 
 /// Adds `--stages`.
 void addStages(Command command, bool& stages);

@@ -2,8 +2,10 @@
 /// crash, hang or write wrong files. Each test runs the built program.
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <string>
 
+#include "cli/common/base64.h"
 #include "raster/base/file_io.h"
 #include "reference/conformance/suite/vector_suite.h"
 #include "reference/conformance/vectors/vector_file.h"
@@ -30,6 +32,7 @@ class Workshop {
   std::filesystem::path file(const std::string& name) const { return shell_.file(name); }
   void write(const std::string& name, const std::string& text) const { writeAll(file(name), text); }
   Outcome run(const std::string& arguments) const { return shell_.run("vector " + arguments); }
+  Outcome execute(const std::string& line) const { return shell_.execute(line); }
 
  private:
   void addVector(const std::string& name) const {
@@ -159,6 +162,142 @@ TEST_CASE("hemitex vector run makes a failing program the verdict of its vector"
 
   shop.write("known.txt", "five-faces fail crash\nsame-triangle unsupported hang\nlayout-r8g8b8a8 flaky exit\n");
   CHECK(shop.run(device + " --expectations known.txt --strict").exitCode == 0);
+}
+
+namespace {
+
+/// A program for --lines that copies the right item IDs, after `lines` of sh with $vector and $output.
+std::string copierThat(const std::string& lines) {
+  return "echo >>starts\ntab=$(printf '\\t')\nwhile IFS=$tab read -r vector output; do\n" + lines +
+         "\n  cp right/$(basename \"$vector\")/* \"$output\"\n  echo drawn\n  echo done\ndone\n";
+}
+
+std::size_t startsIn(const Workshop& shop) {
+  const std::size_t count = readFile(shop.file("starts")).size();
+  shop.write("starts", "");
+  return count;
+}
+
+const std::string lineRun = "run suite --device 'sh device.sh' --lines -o mine ";
+
+}  // namespace
+
+TEST_CASE("hemitex vector run --lines lets one program draw many vectors", "[cli]") {
+  const Workshop shop;
+  shop.write("device.sh", copierThat(""));
+  const Outcome right = shop.run(lineRun + "--jobs 1");
+  INFO(right.err);
+  CHECK(right.exitCode == 0);
+  CHECK(right.out == shop.run("check suite --candidate right").out);
+  CHECK(startsIn(shop) == 1);
+  CHECK(shop.run(lineRun + "--jobs 3").exitCode == 0);
+  CHECK(startsIn(shop) <= 3);
+  CHECK(shop.run(lineRun + "--jobs 1 --repeat 4").exitCode == 0);
+  CHECK(startsIn(shop) == 1);
+  CHECK(shop.run("run suite --device 'sh device.sh {vector} {output}' --lines -o mine").exitCode == 2);
+  CHECK(shop.run("run suite --device ./no-such-program --lines -o mine").exitCode == 2);
+  std::filesystem::rename(shop.file("suite"), shop.file("my\tsuite"));
+  CHECK(shop.run("run \"$(printf 'my\\tsuite')\" --device 'sh device.sh' --lines -o mine").exitCode == 2);
+}
+
+TEST_CASE("hemitex vector run --lines makes a failing program the verdict of its vector, and starts another", "[cli]") {
+  const Workshop shop;
+  shop.write("device.sh", copierThat("  case $vector in\n"
+                                     "    */five-faces) echo crashing >&2; kill -SEGV $$ ;;\n"
+                                     "    */layout-r8g8b8a8) echo failed: no such format; continue ;;\n"
+                                     "    */same-triangle) [ -f hang ] && sleep 60 ;;\n  esac"));
+  const std::string run = lineRun + "--jobs 1 --time-limit 0.5 ";
+  const json refused = json::parse(shop.run(run + "--json").out)["vectors"];
+  CHECK(refused[0]["device"]["failure"] == "crash");
+  CHECK(refused[0]["device"]["signal"] == 11);
+  CHECK(refused[0]["device"]["stderr"] == json({"crashing"}));
+  CHECK(refused[1]["device"]["failure"] == "refused");
+  CHECK(refused[1]["device"]["message"] == "failed: no such format");
+  CHECK(refused[2]["outcome"] == "pass");
+  CHECK(startsIn(shop) == 2);
+  shop.write("hang", "");
+  CHECK(json::parse(shop.run(run + "--json").out)["vectors"][2]["device"]["failure"] == "time limit");
+  shop.write("device.sh", "read line; echo done; read line");
+  const json silent = json::parse(shop.run(run + "--json").out)["vectors"];
+  CHECK(silent[0]["device"]["failure"] == "missing file");
+  CHECK(silent[1]["device"]["failure"] == "exit code");
+}
+
+TEST_CASE("hemitex vector serve is a device for hemitex vector run --lines", "[cli]") {
+  const Workshop shop;
+  const std::string serve = "run suite --device \"'" HEMITEX_PROGRAM "' vector serve\" --lines -o mine ";
+  CHECK(shop.run(serve).out == shop.run("check suite --candidate right").out);
+  // The device changes each byte 1 to 2 behind the program.
+  shop.write("device.sh",
+             "tab=$(printf '\\t')\nwhile IFS=$tab read -r vector output; do\n"
+             "printf '%s\\t%s\\n' \"$vector\" \"$output\" | '" HEMITEX_PROGRAM
+             "' vector serve >answer\n"
+             "for f in \"$output\"/*.u32; do tr '\\001' '\\002' <\"$f\" >changed; mv changed \"$f\"; done\n"
+             "cat answer\ndone\n");
+  CHECK(shop.run(lineRun + "--jobs 1 --minimize small").exitCode == 1);
+  CHECK(reference::readVector(shop.file("small")).list.indices.size() == 3);
+  // What is wrong with a line is the answer to it.
+  shop.write("lines", "nowhere\tmine\nno tab\n");
+  const std::string answers = shop.execute("'" HEMITEX_PROGRAM "' vector serve <lines").out;
+  CHECK(answers.find("failed: nowhere") == 0);
+  CHECK(answers.find("\nfailed: a line names no folder for item IDs") != std::string::npos);
+}
+
+TEST_CASE("hemitex vector run and check --shard share a suite", "[cli]") {
+  const Workshop shop;
+  breakVector(shop.file("right/layout-r8g8b8a8"));
+  const auto check = [&](const std::string& shard) {
+    return json::parse(shop.run("check suite --candidate right --json --shard " + shard).out)["vectors"];
+  };
+  for (const std::size_t count : {1u, 2u, 3u}) {
+    std::set<std::string> names;
+    for (std::size_t number = 1; number <= count; ++number) {
+      const json part = check(std::to_string(number) + '/' + std::to_string(count));
+      CHECK(part.size() <= (3 + count - 1) / count);
+      for (const json& vector : part) CHECK(names.insert(vector["vector"]).second);
+    }
+    CHECK(names == std::set<std::string>{"five-faces", "layout-r8g8b8a8", "same-triangle"});
+  }
+  CHECK(shop.run("check suite --candidate right --shard 1/2").exitCode == 0);
+  CHECK(shop.run("check suite --candidate right --shard 2/2").exitCode == 1);
+  shop.write("device.sh", copierThat(""));
+  CHECK(shop.run(lineRun + "--shard 1/2").exitCode == 0);
+  CHECK_FALSE(std::filesystem::exists(shop.file("mine/layout-r8g8b8a8")));
+  CHECK(shop.run(lineRun + "--shard 2/2").exitCode == 1);
+  CHECK(shop.run("check suite --candidate mine --shard 1/2").exitCode == 0);
+  for (const char* wrong : {"0/2", "3/2", "1", "1/", "/2", "a/b", "1/2/3", "-1/2", "1/4"}) {
+    INFO(wrong);
+    CHECK(shop.run("check suite --candidate right --shard " + std::string(wrong)).exitCode == 2);
+  }
+  CHECK(shop.run("check suite --candidate right --shard 1/2 --record r.json --device-name a --driver b").exitCode == 2);
+}
+
+TEST_CASE("hemitex vector check --html shows each failing vector with its picture and a derivation", "[cli]") {
+  const Workshop shop;
+  const std::string check = "check suite --candidate right --html page.html ";
+  CHECK(shop.run(check).exitCode == 0);
+  const std::string passed = readFile(shop.file("page.html"));
+  CHECK(passed.find("<td>same-triangle<td>pass<td>") != std::string::npos);
+  CHECK(passed.find("<img") == std::string::npos);
+
+  breakVector(shop.file("right/five-faces"));
+  std::filesystem::remove_all(shop.file("right/same-triangle"));
+  shop.write("known.txt", "five-faces fail rows & <columns>\n");
+  CHECK(shop.run(check + "--diff picture.png --expectations known.txt").exitCode == 1);
+  const std::string page = readFile(shop.file("page.html"));
+  CHECK(page.find("base64," + cli::base64OfFile(shop.file("picture.png")) + "\">") != std::string::npos);
+  CHECK(page.find("known errors: five-faces (expected to fail: rows &amp; &lt;columns&gt;)") != std::string::npos);
+  CHECK(page.find("\n1 pixels of five-faces are errors\n") != std::string::npos);
+  CHECK(page.find("missing: same-triangle was not drawn") != std::string::npos);
+  for (const std::size_t k : {0, 2}) {
+    CHECK(page.find("<a href=\"#vector-" + std::to_string(k) + "\">") != std::string::npos);
+    CHECK(page.find("<h2 id=\"vector-" + std::to_string(k) + "\">") != std::string::npos);
+  }
+  // It needs no other file, and is the same for any number of threads.
+  CHECK(page.find("http") == std::string::npos);
+  CHECK(page.find("<script") == std::string::npos);
+  CHECK(shop.run(check + "--expectations known.txt --threads 1").exitCode == 1);
+  CHECK(readFile(shop.file("page.html")) == page);
 }
 
 TEST_CASE("hemitex vector run reports item ID files that are missing or have the wrong size", "[cli]") {

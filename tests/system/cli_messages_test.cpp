@@ -109,7 +109,8 @@ TEST_CASE("hemitex prints no raw control characters of names", "[messages]") {
   scene.replace(scene.find("g left"), 6, "g left" + hostile);
   scene.replace(scene.find("usemtl lamp"), 11, "usemtl lamp" + hostile);
   writeAll(shell.file("room.obj"), scene);
-  writeAll(shell.file("room.mtl"), "newmtl white\nKd 0.5 0.5 0.5\nnewmtl lamp" + hostile + "\nKd 0.5 0.5 0.5\nKe 1 1 1\nd 0.5\n");
+  writeAll(shell.file("room.mtl"),
+           "newmtl white\nKd 0.5 0.5 0.5\nnewmtl lamp" + hostile + "\nKd 0.5 0.5 0.5\nKe 1 1 1\nd 0.5\n");
   const std::string folder = "'out" + hostile + "'";
   for (const std::string& arguments :
        {std::string("formfactors room.obj --from floor --resolution 32"),
@@ -144,16 +145,19 @@ TEST_CASE("hemitex vector run prints no raw control characters of a device", "[m
     }
   writeAll(shell.file("device.sh"), "printf 'boom \\033[2J\\302\\233\\342\\200\\256\\177\\344\\r\\n' >&2\nexit 7\n");
   for (const std::string format : {"", " --json"}) {
-    const Outcome outcome = shell.run("vector run suite --device 'sh device.sh {vector} {output}' -o mine" +
-                                      std::string(format.empty() ? "" : "2") + " --junit results.xml" + format);
+    const Outcome outcome =
+        shell.run("vector run suite --device 'sh device.sh {vector} {output}' -o mine" +
+                  std::string(format.empty() ? "" : "2") + " --junit results.xml --html results.html" + format);
     CAPTURE(outcome.out, outcome.err);
     CHECK(outcome.exitCode == 1);
     CHECK_THAT(outcome.out, Contains("boom "));
     CHECK(isPrintable(outcome.out));
     CHECK(isPrintable(outcome.err));
     CHECK_THAT(readAll(shell.file("results.xml")), Contains("boom ?[2J????"));
-    CHECK(isPrintable(readAll(shell.file("results.xml"))));
-    std::filesystem::remove(shell.file("results.xml"));
+    for (const char* name : {"results.xml", "results.html"}) {
+      CHECK(isPrintable(readAll(shell.file(name))));
+      std::filesystem::remove(shell.file(name));
+    }
   }
 }
 

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "raster/base/printable_text.h"
+#include "reference/base/markup_text.h"
 #include "reference/conformance/trace/rational_rasterizer.h"
 #include "reference/conformance/vectors/vector_file.h"
 
@@ -131,19 +131,12 @@ std::vector<TestCase> casesOf(const Report& report, bool isStrict) {
   return cases;
 }
 
-/// Printable text for XML; line ends stay with `keepsLines`.
-std::string xmlText(const std::string& text, bool keepsLines = false) {
-  std::string result;
-  for (const char c : raster::printable(text, keepsLines ? "\n" : ""))
-    result += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : c == '"' ? "&quot;" : std::string(1, c);
-  return result;
-}
-
 std::string xmlOf(const std::string& vector, const TestCase& test) {
-  const std::string start = "    <testcase classname=\"" + xmlText(vector) + "\" name=\"" + xmlText(test.name) + "\"";
+  const std::string start =
+      "    <testcase classname=\"" + markupText(vector) + "\" name=\"" + markupText(test.name) + "\"";
   if (test.result.empty()) return start + "/>\n";
-  return start + ">\n      <" + test.result + " message=\"" + xmlText(test.message) + "\">" + xmlText(test.text, true) +
-         "</" + test.result + ">\n    </testcase>\n";
+  return start + ">\n      <" + test.result + " message=\"" + markupText(test.message) + "\">" +
+         markupText(test.text, true) + "</" + test.result + ">\n    </testcase>\n";
 }
 
 /// The test suite of one vector.
@@ -156,7 +149,7 @@ std::string testSuite(const Report& report, bool isStrict) {
   std::string text;
   for (const TestCase& test : cases) text += xmlOf(report.verdict.vector, test);
   const std::string skipped = count("skipped") == "0" ? "" : " skipped=\"" + count("skipped") + "\"";
-  return "  <testsuite name=\"" + xmlText(report.verdict.vector) + "\" tests=\"" + std::to_string(cases.size()) +
+  return "  <testsuite name=\"" + markupText(report.verdict.vector) + "\" tests=\"" + std::to_string(cases.size()) +
          "\" failures=\"" + count("failure") + "\"" + skipped + ">\n" + text + "  </testsuite>\n";
 }
 

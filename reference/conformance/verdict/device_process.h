@@ -20,14 +20,15 @@ std::vector<std::string> fillCommand(const std::vector<std::string>& words, cons
                                      const std::string& output);
 
 /// Why a device has no item buffers for a vector.
-enum class DeviceFault : std::uint8_t { Crash, ExitCode, TimeLimit, MissingFile, WrongSize };
+enum class DeviceFault : std::uint8_t { Crash, ExitCode, TimeLimit, MissingFile, WrongSize, Refused };
 
 /// In the order of the enum.
-constexpr std::array<Named<DeviceFault>, 5> deviceFaultNames{{{DeviceFault::Crash, "crash"},
+constexpr std::array<Named<DeviceFault>, 6> deviceFaultNames{{{DeviceFault::Crash, "crash"},
                                                               {DeviceFault::ExitCode, "exit code"},
                                                               {DeviceFault::TimeLimit, "time limit"},
                                                               {DeviceFault::MissingFile, "missing file"},
-                                                              {DeviceFault::WrongSize, "wrong size"}}};
+                                                              {DeviceFault::WrongSize, "wrong size"},
+                                                              {DeviceFault::Refused, "refused"}}};
 
 struct DeviceFailure {
   DeviceFault fault;

@@ -7,6 +7,7 @@
 #include <chrono>
 #include <csignal>
 #include <fstream>
+#include <memory>
 #include <thread>
 
 #include "raster/base/file_io.h"
@@ -15,6 +16,7 @@
 
 using namespace hemitex;
 using raster::InputError;
+using reference::ChildProcess;
 using reference::ProcessResult;
 using Words = std::vector<std::string>;
 
@@ -28,8 +30,16 @@ struct Script {
                                  isCancelled);
   }
 
+  /// The program, which reads and writes lines.
+  std::unique_ptr<ChildProcess> start() const {
+    return std::make_unique<ChildProcess>(Words{"/bin/sh", (folder.path / "device.sh").string()},
+                                          ChildProcess::Talk::Lines);
+  }
+
   TemporaryFolder folder;
 };
+
+bool isAnswer(const std::string& line) { return line.starts_with("answer"); }
 
 double secondsOf(const std::function<void()>& action) {
   const auto begin = std::chrono::steady_clock::now();
@@ -94,6 +104,55 @@ TEST_CASE("runProcess ends when it is cancelled", "[process]") {
   });
   CHECK(secondsOf([&] { Script("sleep 60").run(60, &isCancelled); }) < 20);
   cancel.join();
+}
+
+TEST_CASE("ChildProcess::ask returns the answer to each request of one program, and no other line", "[process]") {
+  const Script script(
+      "n=0; while read -r line; do n=$((n+1)); echo log; echo $n >&2; echo answer $n \"$line\"; done; exit 4");
+  const auto process = script.start();
+  for (int k = 1; k <= 300; ++k)
+    REQUIRE(process->ask("a  b" + std::to_string(k), isAnswer, 60) ==
+            "answer " + std::to_string(k) + " a  b" + std::to_string(k));
+  CHECK(process->lastLines() == Words{"300"});
+  // A request and an answer that are longer than what a pipe holds.
+  const std::string text(200000, 'x');
+  REQUIRE(process->ask(
+      text, [](const std::string& line) { return line.size() < 5000 && line.ends_with("xxx"); }, 60));
+  const ProcessResult end = process->finish(60);
+  CHECK(end.exitCode == 4);
+  CHECK_FALSE(end.isTimedOut);
+}
+
+TEST_CASE("ChildProcess::ask gives up when the program ends, is silent or is cancelled, and finish says why",
+          "[process]") {
+  const Script exits("read line; echo bye >&2; exit 3");
+  const auto exiting = exits.start();
+  CHECK_FALSE(exiting->ask("a", isAnswer, 60));
+  const ProcessResult exit = exiting->finish(0);
+  CHECK(exit.exitCode == 3);
+  CHECK(exit.lastLines == Words{"bye"});
+
+  const Script crashes("echo answer; kill -SEGV $$");
+  const auto crashing = crashes.start();
+  CHECK(crashing->ask("a", isAnswer, 60) == "answer");
+  for (int k = 0; k < 3; ++k) CHECK_FALSE(crashing->ask("b", isAnswer, 60));  // writing to it ends no program of ours
+  CHECK(crashing->finish(0).signal == SIGSEGV);
+
+  const Script sleeps("exec sleep 60");
+  const auto late = sleeps.start(), cancelled = sleeps.start();
+  CHECK_FALSE(late->ask("a", isAnswer, 0.1));
+  CHECK(late->finish(0).isTimedOut);
+  const std::atomic<bool> isCancelled{true};
+  CHECK(secondsOf([&] { CHECK_FALSE(cancelled->ask("a", isAnswer, 60, &isCancelled)); }) < 20);
+  CHECK_THROWS_AS(ChildProcess(Words{"/no/such/program"}, ChildProcess::Talk::Lines), InputError);
+}
+
+TEST_CASE("ChildProcess ends its program, also one that reads nothing", "[process]") {
+  const Script reads("while read line; do echo answer; done; echo end >$(dirname $0)/end"), sleeps("exec sleep 60");
+  const auto ask = [](const Script& script, double seconds) { script.start()->ask("a", isAnswer, seconds); };
+  ask(reads, 60);
+  CHECK(raster::readFile(reads.folder.path / "end") == "end\n");
+  CHECK(secondsOf([&] { ask(sleeps, 0.1); }) < 20);
 }
 
 TEST_CASE("startDetached fails where the program cannot be started or ends with an exit code other than 0",
