@@ -55,7 +55,7 @@ says() { grep -q -e "$1" "$root/output" || { cat "$root/output" >&2; fail "\"$1\
 
 expect 0 --version
 says "^hemitex-vector [0-9]"
-for command in check explain render calibrate random run verify; do
+for command in check explain render calibrate random run serve verify; do
   expect 0 $command --help
 done
 
@@ -79,6 +79,8 @@ idiff -q "$root/diff.png" "$root/twin.png" || fail "hemitex and hemitex-vector w
 # The whole suite, random vectors and calibration, with the program as its own device.
 device="${program[*]} render {vector} -o {output}"
 expect 0 run $kit/vectors --device "$device" -o /suite
+says "^all,[1-9][0-9]*,0,0,0,0,0$"
+expect 0 run $kit/vectors --device "${program[*]} serve" --lines -o /suite-by-lines --html /page.html
 says "^all,[1-9][0-9]*,0,0,0,0,0$"
 expect 0 random --seed 0 --count 20 -o /random
 expect 0 run /random --device "$device" -o /random-mine
