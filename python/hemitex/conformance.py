@@ -84,15 +84,17 @@ def read_vector(folder: str | os.PathLike[str]) -> TestVector:
 
 
 def judge(vector: TestVector,
-          found: Rasterizer | Sequence[npt.ArrayLike],
+          found: Rasterizer | npt.NDArray[Any] | Sequence[npt.ArrayLike],
           *,
           profile: Mapping[str, Any] | None = None) -> Verdict:
-    """Judges a rasterizer, or the item buffers that it drew, one per face.
+    """Judges a rasterizer, or the item buffers that it drew: arrays (height, width) of integers, one per face. For a
+    vector of one face the array alone is enough.
 
     profile: allowed deviations of a device, with the keys of profile files.
     """
     core = _core_of(vector, TestVector)
-    buffers: list[Any] = list(vector.draw(found) if callable(found) else found)
+    drawn = vector.draw(found) if callable(found) else found
+    buffers: list[Any] = [drawn] if getattr(drawn, "ndim", 0) == 2 else list(drawn)
     text, diagnosis, pixels, expected = _core.judge(core, buffers,
                                                     None if profile is None else json.dumps(dict(profile)))
     report = json.loads(text)

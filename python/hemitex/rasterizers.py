@@ -38,6 +38,13 @@ class DrawList:
     channel_bits: tuple[int, ...] = (8, 8, 8, 8)  #: of an item ID, the least significant channel first
     blend: str = "clamped-add"  #: of offset and texel: clamped-add per channel, integer-add or replace
 
+    @staticmethod
+    def of_triangles(positions: npt.ArrayLike, triangles: npt.ArrayLike) -> DrawList:
+        """A draw list whose item IDs are numbers of triangles, as buffers for visibility and picking hold them."""
+        count = len(np.asarray(triangles))
+        return DrawList(positions, np.zeros((len(np.asarray(positions)), 2), np.float32), triangles,
+                        [Draw(number, 1, number) for number in range(count)], channel_bits=(32,))
+
     @property
     def background(self) -> int:
         """The item ID of pixels that no triangle covers: all bits set."""

@@ -50,6 +50,34 @@ def test_holes_and_culling() -> None:
                                   hx.Face(resolution=8))
 
 
+def test_judge_takes_arrays() -> None:
+    vector = next(vector for vector in hx.vector_suite() if vector.name == "texels-100")
+    (right,) = vector.draw()
+    for found in (right, [right], [right.tolist()], right[np.newaxis], right.astype(np.int64), right[::-1][::-1]):
+        assert hx.judge(vector, found).passed
+    wrong = right.copy()
+    wrong[3, 5] ^= 64
+    verdict = hx.judge(vector, wrong)
+    assert verdict.counts["error"] == 1 and [verdict.errors[0][key] for key in ("column", "row")] == [5, 3]
+    with pytest.raises(hx.InputError, match="found"):
+        hx.judge(vector, right.astype(float))
+    with pytest.raises(hx.InputError, match="found"):
+        hx.judge(vector, right[1:])
+
+
+def test_judge_takes_a_buffer_of_triangle_numbers() -> None:
+    # Two triangles share the diagonal of a square from -1 to 1 at w = 1. Its samples belong to the one that lies to
+    # the right, whose left edge it is.
+    corners = np.array([[-1, -1, -1], [1, -1, -1], [1, 1, -1], [-1, 1, -1]], np.float32)
+    vector = hx.TestVector.from_arrays("square", hx.DrawList.of_triangles(corners, [[0, 1, 2], [0, 2, 3]]),
+                                       hx.Face(resolution=8))
+    row, column = np.indices((8, 8))
+    assert hx.judge(vector, np.where(column >= row, 0, 1)).counts["exact"] == 64
+    hole = np.where(column == row, vector.draw_list.background, np.where(column > row, 0, 1))
+    verdict = hx.judge(vector, hole)
+    assert verdict.counts["error"] == 8 and verdict.errors[0]["kind"] == "missing"
+
+
 def test_solve_with_a_rasterizer_equals_the_reference() -> None:
     elements = hx.discretize(hx.load_scene(DATA / "cornell-box.obj"), texels=2)
     calls = []
