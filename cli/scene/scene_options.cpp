@@ -113,7 +113,8 @@ void addSceneOptions(Command command, SceneOptions& options) {
                               "make one surface for each side of a face (default: only for open sheets whose backs are "
                               "lit)");
   addSides("--one-sided", radiosity::Sides::One, "leave the backs of all faces black").excludes(two);
-  command.addTexts("--flip", "NAME", "turn the faces of a surface or a group over, so that their backs are fronts (repeatable)",
+  command.addTexts("--flip", "NAME",
+                   "turn the faces of a surface or a group over, so that their backs are fronts (repeatable)",
                    [&options](const std::vector<std::string>& names) { options.settings.flip = names; });
   addChoice(command, "--emission", options.settings.emission, emissionChoices,
             "unit of Ke, --emit and --lights: radiosity in W/m^2, or radiance in W/(m^2 sr) (default radiosity)");

@@ -142,7 +142,9 @@ std::vector<ContactPart> contactParts(std::span<const TrianglePositions> triangl
     std::vector<Part> cut;
     for (Part& part : parts) {
       Part within{inside(part.polygon, plane, other, 4 * tolerance,
-                         [&](Polygon polygon) { cut.push_back({std::move(polygon), part.isBacked, part.sameWay}); }),
+                         [&](Polygon polygon) {
+                           cut.push_back({std::move(polygon), part.isBacked, part.sameWay});
+                         }),
                   part.isBacked || other.isOpposite, part.sameWay};
       if (within.polygon.empty()) continue;
       if (!other.isOpposite) within.sameWay.push_back(other.number);

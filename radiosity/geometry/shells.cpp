@@ -53,8 +53,8 @@ std::vector<EdgeSide> sidesAround(std::span<const TrianglePositions> triangles, 
 }
 
 /// Calls match(a, b) for the half-edges whose triangles bound a wedge behind their fronts. Wedges lie in each other as
-/// brackets do; the second turn closes those that the first one leaves open. Wedges without an inside come last, because
-/// the triangles in one place are sorted so that none closes what another one of them opens.
+/// brackets do; the second turn closes those that the first one leaves open. Wedges without an inside come last,
+/// because the triangles in one place are sorted so that none closes what another one of them opens.
 template <typename Match>
 void matchBacks(const std::vector<EdgeSide>& sides, const Match& match) {
   std::vector<std::uint32_t> open;
@@ -147,8 +147,7 @@ bool isClosed(std::span<const TrianglePositions> triangles, const std::vector<bo
   const std::array places{glm::dvec3(0.73, 0.61, 0.57), glm::dvec3(-0.59, 0.67, -0.71)};
   return std::all_of(places.begin(), places.end(), [&](const glm::dvec3& place) {
     const glm::dvec3 eye = part.middle() + part.size() * place;
-    const double winding =
-        sumOf(part, isTurnedOver, [&](std::uint32_t t) { return spheres(triangles[t], eye); });
+    const double winding = sumOf(part, isTurnedOver, [&](std::uint32_t t) { return spheres(triangles[t], eye); });
     return std::abs(winding - std::round(winding)) <= rounding;
   });
 }

@@ -37,9 +37,8 @@ inline constexpr double tangentPlaneTolerance = 0x1p-20;
 /// Minimum near distance in extents of the scene; binary32 positions have no detail below it.
 inline constexpr double smallestNearDistance = 0x1p-24;
 
-/// The triangles that a view from a point of a surface skips, ascending: those of the surface and its twin in the tangent
-/// plane, and backed ones that face away from the point.
-/// `boxes` are triangleBoxes of the scene.
+/// The triangles that a view from a point of a surface skips, ascending: those of the surface and its twin in the
+/// tangent plane, and backed ones that face away from the point. `boxes` are triangleBoxes of the scene.
 std::vector<std::uint32_t> skippedTriangles(const Scene& scene, const TriangleBoxes& boxes, std::uint32_t surface,
                                             const SurfacePoint& point);
 

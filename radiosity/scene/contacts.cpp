@@ -83,7 +83,8 @@ void appendParts(const Triangle& whole, const std::vector<ContactPart>& parts, s
     if (part.contact.coveredBy && whole.solid == 0) continue;
     std::vector<Triangle>& triangles = part.contact.coveredBy ? covered : left;
     for (std::size_t k = 2; k < part.corners.size(); ++k) {
-      Triangle triangle = parts.size() == 1 ? whole : partOf(whole, {part.corners[0], part.corners[k - 1], part.corners[k]});
+      Triangle triangle =
+          parts.size() == 1 ? whole : partOf(whole, {part.corners[0], part.corners[k - 1], part.corners[k]});
       triangle.isBacked = part.contact.isBacked;
       if (parts.size() == 1 || keepsArea(triangle)) triangles.push_back(triangle);
     }
@@ -93,7 +94,8 @@ void appendParts(const Triangle& whole, const std::vector<ContactPart>& parts, s
 std::string quoted(const Surface& surface) { return "`" + raster::excerpt(surface.name) + "`"; }
 
 /// One sentence for each pair of surfaces in one place, and one for the rest if there are many.
-std::vector<std::string> coverWarnings(const Scene& scene, const std::set<std::pair<std::uint32_t, std::uint32_t>>& pairs) {
+std::vector<std::string> coverWarnings(const Scene& scene,
+                                       const std::set<std::pair<std::uint32_t, std::uint32_t>>& pairs) {
   std::vector<std::string> warnings;
   for (const auto& [covered, by] : pairs) {
     if (warnings.size() == mostWarnings) {
@@ -121,8 +123,8 @@ std::vector<std::string> turnedWarnings(const Scene& scene, const NumberedTriang
 }
 
 /// Whether a sample of the triangles of a room sees fronts on the outside, which belong to nothing in the room.
-bool isLookedAtFromOutside(const Scene& scene, const NumberedTriangles& triangles, const std::vector<std::uint32_t>& room,
-                           const RayTree& tree) {
+bool isLookedAtFromOutside(const Scene& scene, const NumberedTriangles& triangles,
+                           const std::vector<std::uint32_t>& room, const RayTree& tree) {
   constexpr std::size_t mostSamples = 64, smallestShare = 8;
   std::size_t rays = 0, fronts = 0;
   for (std::size_t i = 0; i < std::min(room.size(), mostSamples); ++i) {
@@ -147,7 +149,8 @@ std::vector<std::string> emptyRoomWarnings(const Scene& scene, const NumberedTri
     for (const glm::dvec3& corner : triangles.positions[t]) bounds[shells.ofTriangle[t]].include(corner);
   }
   const auto isIn = [](const Bounds& inner, const Bounds& outer) {
-    return glm::all(glm::greaterThanEqual(inner.low, outer.low)) && glm::all(glm::lessThanEqual(inner.high, outer.high));
+    return glm::all(glm::greaterThanEqual(inner.low, outer.low)) &&
+           glm::all(glm::lessThanEqual(inner.high, outer.high));
   };
   std::vector<std::string> warnings;
   for (std::size_t room = 0; room < ofShells.size() && warnings.size() < mostWarnings; ++room) {

@@ -6,10 +6,10 @@
 
 namespace hemitex::radiosity {
 
-/// Numbers the closed solids, and warns of faces that look the other way. Cuts triangles where only a part of them is in
-/// contact with others (see contact_parts.h). Parts without a visible back become `isBacked`. Parts that later faces
-/// cover are removed, with a warning; a surface that is covered completely is removed, too. Images of a scene are not in
-/// contact with it.
+/// Numbers the closed solids, and warns of faces that look the other way. Cuts triangles where only a part of them is
+/// in contact with others (see contact_parts.h). Parts without a visible back become `isBacked`. Parts that later faces
+/// cover are removed, with a warning; a surface that is covered completely is removed, too. Images of a scene are not
+/// in contact with it.
 void resolveContacts(Scene& scene);
 
 /// Finds again which triangles are backed, without cutting any: after faces have moved.

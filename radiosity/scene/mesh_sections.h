@@ -29,8 +29,8 @@ struct Section {
 };
 
 /// Triangulates polygons. Polygons without area are dropped and counted in a warning; so are polygons that repeat an
-/// earlier one of the same section, corner for corner, and of facets those that repeat any of the same material. Self-intersecting polygons are counted in another. Empty
-/// sections are left out.
+/// earlier one of the same section, corner for corner, and of facets those that repeat any of the same material.
+/// Self-intersecting polygons are counted in another. Empty sections are left out.
 std::vector<Section> cutIntoSections(const PolygonMesh& mesh, bool areFacets, std::vector<std::string>& warnings);
 
 /// The number of the first polygon with the same corners in the same order, from any corner on, and the same material;

@@ -38,8 +38,9 @@ struct BoxText {
   }
 
   /// The scene of the file. `materials` are the lines of the MTL file.
-  radiosity::Scene load(const radiosity::SceneSettings& settings = {},
-                        const std::string& materials = "newmtl grey\nKd .5 .5 .5\nnewmtl lamp\nKd 0 0 0\nKe 9 9 9\n") const {
+  radiosity::Scene load(
+      const radiosity::SceneSettings& settings = {},
+      const std::string& materials = "newmtl grey\nKd .5 .5 .5\nnewmtl lamp\nKd 0 0 0\nKe 9 9 9\n") const {
     const TemporaryFolder folder;
     std::ofstream(folder.path / "scene.mtl") << materials;
     std::ofstream file(folder.path / "scene.obj");

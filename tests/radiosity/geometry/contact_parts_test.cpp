@@ -59,7 +59,8 @@ TEST_CASE("contactParts fill a triangle and agree with each of its points", "[co
     }
     const Shells shells = findShells(triangles);
     for (std::uint32_t t = 0; t < triangles.size(); ++t) {
-      const std::vector<ContactPart> parts = contactParts(triangles, shells, t, allNumbers(triangles.size()), tolerance);
+      const std::vector<ContactPart> parts =
+          contactParts(triangles, shells, t, allNumbers(triangles.size()), tolerance);
       double area = 0;
       for (const ContactPart& part : parts) area += areaOf(part.corners);
       CHECK(area == Approx(0.5).epsilon(1e-9));
@@ -68,7 +69,9 @@ TEST_CASE("contactParts fill a triangle and agree with each of its points", "[co
         if (weights.x + weights.y > 1) weights = 1.0 - weights;
         const glm::dvec3 position = triangles[t][0] + weights.x * (triangles[t][1] - triangles[t][0]) +
                                     weights.y * (triangles[t][2] - triangles[t][0]);
-        const auto isAt = [&](std::uint32_t n, double margin) { return contains(flat[n], glm::dvec2(position), margin); };
+        const auto isAt = [&](std::uint32_t n, double margin) {
+          return contains(flat[n], glm::dvec2(position), margin);
+        };
         bool isBacked = false, isCovered = false, isNearEdge = false;
         for (std::uint32_t n = 0; n < triangles.size(); ++n) {
           isNearEdge = isNearEdge || isAt(n, -10 * tolerance) != isAt(n, 10 * tolerance);
@@ -77,9 +80,8 @@ TEST_CASE("contactParts fill a triangle and agree with each of its points", "[co
           isCovered = isCovered || (looksUp[n] == looksUp[t] && n > t);
         }
         if (isNearEdge) continue;
-        const auto part = std::find_if(parts.begin(), parts.end(), [&](const ContactPart& some) {
-          return contains(some.corners, weights, 0);
-        });
+        const auto part = std::find_if(parts.begin(), parts.end(),
+                                       [&](const ContactPart& some) { return contains(some.corners, weights, 0); });
         if (part == parts.end()) continue;  // between two parts
         CHECK(part->contact.isBacked == isBacked);
         CHECK(part->contact.coveredBy.has_value() == isCovered);

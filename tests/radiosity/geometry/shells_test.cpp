@@ -10,7 +10,9 @@ namespace {
 
 using Triangles = std::vector<TrianglePositions>;
 
-void append(Triangles& triangles, const Triangles& more) { triangles.insert(triangles.end(), more.begin(), more.end()); }
+void append(Triangles& triangles, const Triangles& more) {
+  triangles.insert(triangles.end(), more.begin(), more.end());
+}
 
 /// Two triangles.
 Triangles quad(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, const glm::dvec3& d) {
@@ -82,8 +84,7 @@ TEST_CASE("findShells names the faces that look the other way", "[shells]") {
     std::swap(triangles[first + 1][1], triangles[first + 1][2]);
     checkOne(triangles, ShellKind::Solid, true);
     const Shells shells = findShells(triangles);
-    for (std::size_t t = 0; t < triangles.size(); ++t)
-      CHECK(shells.isTurnedOver[t] == (t == first || t == first + 1));
+    for (std::size_t t = 0; t < triangles.size(); ++t) CHECK(shells.isTurnedOver[t] == (t == first || t == first + 1));
   }
 }
 

@@ -25,7 +25,8 @@ struct Place {
   double shift = 0;
 };
 
-const std::vector<Place> places{{"as it is"}, {"turned", 1, true}, {"moved", 1, false, 1e4}, {"in mm", 1000}, {"turned in mm", 1000, true, 1e4}};
+const std::vector<Place> places{
+    {"as it is"}, {"turned", 1, true}, {"moved", 1, false, 1e4}, {"in mm", 1000}, {"turned in mm", 1000, true, 1e4}};
 
 /// A rotation by the rational angle with cosine 15/17 about z, then by that with cosine 20/29 about x.
 glm::dvec3 turned(const glm::dvec3& p) {
@@ -62,7 +63,8 @@ Solved solved(const BoxText& text, const Place& place = places[0], const glm::dv
   Scene scene = placed(text, place).load({.sides = Sides::One}, materials);
   scene.outside.sky = sky;
   const Discretization discretization = discretize(scene, {.texelSize = 0.4 * place.scale});
-  const Light light = radiosity::light(scene, discretization, {.drawing = {.resolution = 128}, .solver = {.residual = 1e-3}});
+  const Light light =
+      radiosity::light(scene, discretization, {.drawing = {.resolution = 128}, .solver = {.residual = 1e-3}});
   Solved result;
   result.warnings = scene.warnings;
   const Energy& energy = light.solution.energy;
@@ -231,7 +233,9 @@ TEST_CASE("Boxes on a lattice expose what no other box hides", "[contacts]") {
   constexpr int side = 8;
   for (unsigned seed = 1; seed <= 24; ++seed) {
     std::mt19937 random(seed);
-    const auto whole = [&](int low, int high) { return low + static_cast<int>(random() % static_cast<unsigned>(high - low + 1)); };
+    const auto whole = [&](int low, int high) {
+      return low + static_cast<int>(random() % static_cast<unsigned>(high - low + 1));
+    };
     std::vector<std::array<glm::ivec3, 2>> boxes;
     for (int count = whole(2, 5); count > 0; --count) {
       glm::ivec3 low(whole(0, side - 2), whole(0, 1) * whole(0, side - 2), whole(0, side - 2));
@@ -263,7 +267,7 @@ TEST_CASE("Boxes on a lattice expose what no other box hides", "[contacts]") {
           if (isInAny(cell)) continue;
           if (!isIn(behind, room)) expected["room"] += 1;
           for (std::size_t b = boxes.size(); b-- > 0;) {
-            if (!isIn(behind, boxes[b]) ) continue;
+            if (!isIn(behind, boxes[b])) continue;
             expected["box" + std::to_string(b)] += 1;
             break;
           }
