@@ -314,8 +314,7 @@ class BuriedRegions {
 
 std::vector<Exposure> findExposure(const Scene& scene, std::span<const GridSize> sizes) {
   std::vector<Exposure> exposure(scene.surfaces.size());
-  if (std::all_of(scene.surfaces.begin(), scene.surfaces.end(), [](const Surface& s) { return s.twin.has_value(); }))
-    return exposure;
+  if (!hasBacks(scene)) return exposure;
   const RayTree rays(scene);
   const BuriedRegions regions(scene, sizes, triangleSlices(scene, rays), rays);
   raster::parallelFor(exposure.size(),

@@ -43,11 +43,6 @@ bool hasBacked(const Scene& scene) {
   });
 }
 
-/// Whether all surfaces have two sides, so that no back covers a face.
-bool isTwoSided(const Scene& scene) {
-  return std::all_of(scene.surfaces.begin(), scene.surfaces.end(), [](const Surface& surface) { return surface.twin; });
-}
-
 /// Whether the back of another face lies on the triangle, at its middle and near its corners.
 bool isCovered(const Scene& scene, const RayTree& rays, const Triangle& triangle) {
   const glm::dvec3 n = normal(triangle);
@@ -222,7 +217,7 @@ OutsideFlux outsideFlux(const Scene& scene, const Discretization& discretization
   const double pixelArea = views.pixelSide() * views.pixelSide();
   const RayTree rays(scene);
   PixelCounts pixels(scene, discretization, layout, renderer, views,
-                     isTwoSided(scene) ? std::vector<std::uint32_t>() : coveredTriangles(scene, rays));
+                     !hasBacks(scene) ? std::vector<std::uint32_t>() : coveredTriangles(scene, rays));
   const auto add = [&](const Beams& light) {
     if (areZero(light.irradiance)) return;
     const FormFactorRow counts = pixels.of(light.directions);

@@ -187,22 +187,25 @@ void addSurfaces(Scene& scene, std::vector<Surface> parts, const std::string& fa
   }
 }
 
-/// The other side of a surface.
+/// The other side of a surface, where no other face lies on it.
 Surface backOf(const Surface& front) {
   Surface back = front;
+  std::erase_if(back.triangles, [](const Triangle& triangle) { return triangle.isBacked; });
   back.name += "/back";
   back.family += "/back";
   turnOver(back);
   return back;
 }
 
-/// Gives some surfaces, by their numbers, a surface on the other side. Those of an object are an object of their own,
+/// Gives some surfaces, by their numbers, a surface on the other side, unless all of it is backed. Those of an object are an object of their own,
 /// because programs take faces with equal corners in one mesh for a fault.
 void addBacks(Scene& scene, const std::vector<std::uint32_t>& numbers) {
   std::vector<Surface>& surfaces = scene.surfaces;
   std::map<int, int> backObjects;
   for (const std::uint32_t s : numbers) {
-    surfaces.push_back(backOf(surfaces[s]));
+    Surface back = backOf(surfaces[s]);
+    if (back.triangles.empty()) continue;
+    surfaces.push_back(std::move(back));
     const int front = *surfaces[s].object;
     const auto [known, isNew] = backObjects.try_emplace(front, static_cast<int>(scene.objects.size()));
     if (isNew) {

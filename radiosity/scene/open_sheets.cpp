@@ -50,14 +50,16 @@ bool emits(const Scene& scene, std::uint32_t surface) {
   return scene.materials[static_cast<std::size_t>(scene.surfaces[surface].material)].emission != glm::dvec3(0);
 }
 
-/// The surfaces that belong to components with a border, except emitters.
+/// The surfaces with visible backs that belong to components with a border, except emitters.
 std::vector<std::uint32_t> openSurfaces(const Scene& scene) {
   std::vector<TrianglePositions> positions;
   std::vector<std::uint32_t> owners;
+  std::vector<bool> hasBack;
   for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s) {
     for (const Triangle& triangle : scene.surfaces[s].triangles) {
       positions.push_back(triangle.position);
       owners.push_back(s);
+      hasBack.push_back(!triangle.isBacked);
     }
   }
   const MeshEdges edges = findEdges(positions);
@@ -66,7 +68,7 @@ std::vector<std::uint32_t> openSurfaces(const Scene& scene) {
   for (std::uint32_t e = 0; e < edges.count(); ++e)
     if (edges.around(e).size() == 1) hasBorder[components.owner[edges.around(e)[0] / 3]] = true;
   for (std::size_t t = 0; t < owners.size(); ++t)
-    if (hasBorder[components.owner[t]]) isOpen[owners[t]] = true;
+    if (hasBack[t] && hasBorder[components.owner[t]]) isOpen[owners[t]] = true;
   std::vector<std::uint32_t> open;
   for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s)
     if (isOpen[s] && !emits(scene, s)) open.push_back(s);
@@ -84,12 +86,13 @@ class BackWalks {
   explicit BackWalks(const Scene& scene) : scene_(scene), rays_(scene) {}
 
   WalkCounts from(std::uint32_t number) const {
-    const Surface& surface = scene_.surfaces[number];
-    const std::size_t count = surface.triangles.size(), points = std::min(count, pointsOfSurface);
+    std::vector<Triangle> triangles = scene_.surfaces[number].triangles;
+    std::erase_if(triangles, [](const Triangle& triangle) { return triangle.isBacked; });
+    const std::size_t count = triangles.size(), points = std::min(count, pointsOfSurface);
     std::minstd_rand random(number + 1);
     WalkCounts walks;
     for (std::size_t i = 0; i < points; ++i) {
-      const Triangle& triangle = surface.triangles[i * count / points];
+      const Triangle& triangle = triangles[i * count / points];
       const glm::dvec3 middle = (triangle.position[0] + triangle.position[1] + triangle.position[2]) / 3.0;
       std::size_t backs = 0;
       for (std::size_t d = 0; d < first_.size(); ++d) {

@@ -133,6 +133,13 @@ void makeTwins(std::vector<Surface>& surfaces, std::size_t one, std::size_t othe
     for (Triangle& triangle : surfaces[s].triangles) triangle.isBacked = true;
 }
 
+bool hasBacks(const Scene& scene) {
+  return std::any_of(scene.surfaces.begin(), scene.surfaces.end(), [](const Surface& surface) {
+    return std::any_of(surface.triangles.begin(), surface.triangles.end(),
+                       [](const Triangle& triangle) { return !triangle.isBacked; });
+  });
+}
+
 glm::dvec3 normal(const Triangle& triangle) {
   const glm::dvec3 direction = doubledArea(triangle);
   return direction / glm::length(direction);

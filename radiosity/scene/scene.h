@@ -158,6 +158,9 @@ void turnOver(Surface& surface);
 /// Makes two surfaces with the same triangles the two sides of one sheet: twins, whose backs nobody sees.
 void makeTwins(std::vector<Surface>& surfaces, std::size_t one, std::size_t other);
 
+/// Whether a back of the scene is visible.
+bool hasBacks(const Scene& scene);
+
 /// The number of triangles of all surfaces. Triangles are numbered through the scene, surface by surface.
 std::size_t triangleCount(const Scene& scene);
 

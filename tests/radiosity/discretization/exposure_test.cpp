@@ -464,7 +464,7 @@ TEST_CASE("discretize buries nothing in two-sided scenes", "[exposure]") {
   Surfaces surfaces = joined({room(), box("box", {1.03, 0.71, -0.1}, {1.1, 0.7, 0.9})});
   const std::size_t count = surfaces.size();
   surfaces = joined({surfaces, reversed(surfaces)});
-  for (std::size_t s = 0; s < surfaces.size(); ++s) surfaces[s].twin = static_cast<int>((s + count) % (2 * count));
+  for (std::size_t s = 0; s < count; ++s) makeTwins(surfaces, s, s + count);
   checkNothingIsBuried(surfaces);
 }
 

@@ -213,6 +213,26 @@ TEST_CASE("A house that is turned over is named, and leaves the ground lit", "[c
   }
 }
 
+TEST_CASE("flip turns surfaces over by name, as if the file had them so", "[contacts]") {
+  const auto house = [](bool isInward) {
+    BoxText text;
+    text.begin("house");
+    text.addBox({-1, 0, -1}, {1, 2, 1}, isInward);
+    text.begin("ground");
+    text.addQuad({{{-5, 0, 5}, {5, 0, 5}, {5, 0, -5}, {-5, 0, -5}}});
+    return text;
+  };
+  const Scene flipped = house(true).load({.flip = {"house"}}), right = house(false).load();
+  CHECK(flipped.warnings == right.warnings);
+  REQUIRE(flipped.surfaces.size() == right.surfaces.size());
+  for (std::size_t s = 0; s < right.surfaces.size(); ++s) {
+    REQUIRE(flipped.surfaces[s].triangles.size() == right.surfaces[s].triangles.size());
+    CHECK(area(flipped.surfaces[s]) == Approx(area(right.surfaces[s])).epsilon(1e-12));
+    CHECK(normal(flipped.surfaces[s].triangles[0]) == normal(right.surfaces[s].triangles[0]));
+  }
+  CHECK_THROWS_WITH(house(true).load({.flip = {"hause"}}), Catch::Contains("hause") && Catch::Contains("house"));
+}
+
 TEST_CASE("A face of a solid that looks the other way is named, and changes nothing around it", "[contacts]") {
   BoxText text;
   text.begin("room");
