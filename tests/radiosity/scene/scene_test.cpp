@@ -198,16 +198,17 @@ TEST_CASE("loadScene uses the chart for maps if the file has no coordinates", "[
 TEST_CASE("loadScene drops and counts a face without area, but not a triangle without area inside a face", "[scene]") {
   const std::string obj =
       "v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nv 1 0 0\nv 9 9 9\n"
+      "v 0 0 1\nv 1 0 1\nv 2 0 1\nv 2 2 1\nv 0 0 2\nv 2 2 2\nv 0 2 2\n"
       "f 1 2 3 4\n"  // valid
       "f 1 5 2\n"    // collinear
       "f 6 6 6\n"    // a point, outside the bounds of the rest
-      "f 1 5 2 3\n"  // its first fan triangle has no area
-      "f 1 1 3 4\n";
+      "f 7 8 9 10\n"  // its first fan triangle has no area
+      "f 11 11 12 13\n";
   const Scene scene = load(obj);
   CHECK(totalArea(scene) == Approx(4 + 2 + 2));
   CHECK(triangleCount(scene) == 4);
-  CHECK(warns(scene, {"2 faces without area dropped", "line 8"}));
-  CHECK(scene.origin == glm::dvec3(1, 1, 0));
+  CHECK(warns(scene, {"2 faces without area dropped", "line 15"}));
+  CHECK(scene.origin == glm::dvec3(1, 1, 1));
   for (const Surface& surface : scene.surfaces) {
     for (const Triangle& triangle : surface.triangles) CHECK(area(triangle) > 0);
   }
@@ -439,8 +440,12 @@ TEST_CASE("loadScene names a format that it does not read, by the name of the fi
 }
 
 TEST_CASE("findMaterials names at most 8 unknown materials, and at most 200 bytes of each", "[scene]") {
-  std::string obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
-  for (int m = 0; m < 50; ++m) obj += "usemtl " + std::string(1000, 'x') + std::to_string(m) + "\nf 1 2 3\n";
+  std::string obj;
+  for (int m = 0; m < 50; ++m) {
+    const std::string number = std::to_string(m);
+    for (const std::string corner : {"0 0 ", "1 0 ", "0 1 "}) obj += "v " + corner + number + "\n";
+    obj += "usemtl " + std::string(1000, 'x') + number + "\nf -3 -2 -1\n";
+  }
   const Scene scene = load(obj);
   CHECK(scene.warnings.back().size() < 2000);
   CHECK_THAT(scene.warnings.back(), Catch::EndsWith(" and 42 others"));
