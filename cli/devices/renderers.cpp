@@ -5,10 +5,16 @@
 
 namespace hemitex::cli {
 
-std::unique_ptr<raster::ItemBufferRenderer> makeRenderer(const raster::DrawList& list, Device device) {
+std::unique_ptr<raster::ItemBufferRenderer> makeRenderer(const raster::DrawList& list, Device device,
+                                                         const std::string& name) {
   if (device == Device::Software) return std::make_unique<raster::SoftwareRenderer>(list);
-  if (device == Device::Vulkan) return makeVulkanRenderer(list);
-  return makeOpenGlRenderer(list, device);
+  if (device == Device::Vulkan) return makeVulkanRenderer(list, name);
+  return makeOpenGlRenderer(list, device, name);
+}
+
+std::string deviceName(Device device, const std::string& name) {
+  if (device == Device::Software) return "";
+  return device == Device::Vulkan ? vulkanDeviceName(name) : openGlDeviceName(name);
 }
 
 /// Tests the device with an empty draw list, because an OpenGL context is made only for a renderer.
@@ -19,6 +25,8 @@ std::function<std::unique_ptr<raster::ItemBufferRenderer>(const raster::DrawList
     raster::DrawList empty;
     empty.format = *raster::formatNamed("r8g8b8a8");
     make(empty);
+    console.message("OpenGL draws with " + deviceName(device) +
+                    "; a graphics card that idles between its turns runs at a lower clock, and its times are longer");
     return make;
   } catch (const raster::InputError& error) {
     console.message(without + ": " + error.what());

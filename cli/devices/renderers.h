@@ -14,16 +14,24 @@ namespace hemitex::cli {
 
 enum class Device { Software, OpenGl, OpenGlFixedFunction, OpenGlPlain, Vulkan };
 
-/// A renderer of the draw list. Throws InputError if the device does not exist or cannot draw the list.
-std::unique_ptr<raster::ItemBufferRenderer> makeRenderer(const raster::DrawList& list, Device device);
+/// A renderer of the draw list, on the first device whose name contains `name`. Throws InputError if the device does
+/// not exist or cannot draw the list.
+std::unique_ptr<raster::ItemBufferRenderer> makeRenderer(const raster::DrawList& list, Device device,
+                                                         const std::string& name = "");
 
-/// A function that makes renderers for one of the devices of OpenGL. If there is none, prints `without` and the reason,
-/// and returns an empty function.
+/// The name of the device with which makeRenderer draws; empty for the software.
+std::string deviceName(Device device, const std::string& name = "");
+
+/// A function that makes renderers for one of the devices of OpenGL, and prints which device draws. If there is none,
+/// prints `without` and the reason, and returns an empty function.
 std::function<std::unique_ptr<raster::ItemBufferRenderer>(const raster::DrawList&)> openGlRenderers(
     Device device, Console& console, const std::string& without);
 
 /// For the three devices of OpenGL.
-std::unique_ptr<raster::ItemBufferRenderer> makeOpenGlRenderer(const raster::DrawList& list, Device device);
-std::unique_ptr<raster::ItemBufferRenderer> makeVulkanRenderer(const raster::DrawList& list);
+std::unique_ptr<raster::ItemBufferRenderer> makeOpenGlRenderer(const raster::DrawList& list, Device device,
+                                                               const std::string& name);
+std::string openGlDeviceName(const std::string& name);
+std::unique_ptr<raster::ItemBufferRenderer> makeVulkanRenderer(const raster::DrawList& list, const std::string& name);
+std::string vulkanDeviceName(const std::string& name);
 
 }  // namespace hemitex::cli

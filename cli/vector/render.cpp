@@ -12,6 +12,7 @@ namespace {
 struct RenderOptions {
   std::filesystem::path input, output;
   Device device = Device::Software;
+  std::string deviceName;
   bool stages = false;
 };
 
@@ -27,9 +28,12 @@ std::set<std::string> ownFiles(const RenderOptions& options) {
   return names;
 }
 
-void renderVector(const RenderOptions& options, const Context& context) {
+void renderVector(const RenderOptions& options, Context& context) {
   reference::TestVector vector = reference::readVector(options.input);
-  const std::vector<raster::ItemBuffer> buffers = render(*makeRenderer(vector.list, options.device), facesOf(vector));
+  const std::vector<raster::ItemBuffer> buffers =
+      render(*makeRenderer(vector.list, options.device, options.deviceName), facesOf(vector));
+  if (options.device != Device::Software)
+    context.console.message("drawn by " + deviceName(options.device, options.deviceName));
   for (std::size_t f = 0; f < buffers.size(); ++f) vector.faces[f].hash = reference::idsHash(buffers[f].ids);
   Staging staging({.place = options.output, .writer = "vector render", .replaced = ownFiles(options)});
   reference::writeVector(staging.folder(), vector, buffers);
@@ -44,7 +48,7 @@ void addVectorRender(Command vector, Context& context) {
   const auto options = std::make_shared<RenderOptions>();
   const Command command = vector.addCommand("render", "Draw the item IDs of a test vector by the raster rules");
   command.addPath("DIR", options->input, "folder of the vector").required();
-  addDevice(command, options->device);
+  addDevice(command, options->device, options->deviceName);
   addStages(command, options->stages);
   addOutput(command, options->output, "write the vector with its item IDs into this folder, which may be DIR");
   command.addExamples({"suite/fans-later-nearer -o drawn/fans-later-nearer", "vector -o drawn --device opengl"});

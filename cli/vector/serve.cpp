@@ -12,19 +12,25 @@ namespace {
 
 namespace fs = std::filesystem;
 
+struct ServeOptions {
+  Device device = Device::Software;
+  std::string deviceName;
+};
+
 /// Draws the vector that the line names into the folder behind the tab.
-void drawLine(const std::string& line, Device device) {
+void drawLine(const std::string& line, const ServeOptions& options) {
   const std::size_t tab = line.find('\t');
   if (tab == std::string::npos)
     throw raster::InputError("a line names no folder for item IDs", "write it behind the vector and a tab");
   const reference::TestVector vector = reference::readVector(line.substr(0, tab));
-  reference::writeCandidate(line.substr(tab + 1), vector, render(*makeRenderer(vector.list, device), facesOf(vector)));
+  const auto renderer = makeRenderer(vector.list, options.device, options.deviceName);
+  reference::writeCandidate(line.substr(tab + 1), vector, render(*renderer, facesOf(vector)));
 }
 
-void serve(Device device) {
+void serve(const ServeOptions& options) {
   for (std::string line; std::getline(std::cin, line);) {
     try {
-      drawLine(line, device);
+      drawLine(line, options);
       std::cout << "done" << std::endl;
     } catch (const raster::InputError& error) {
       std::cout << "failed: " << error.what() << std::endl;
@@ -35,12 +41,12 @@ void serve(Device device) {
 }  // namespace
 
 void addVectorServe(Command vector, Context& context) {
-  const auto device = std::make_shared<Device>(Device::Software);
+  const auto options = std::make_shared<ServeOptions>();
   const Command command = vector.addCommand(
       "serve", "Draw the vectors that lines on stdin name, each with a tab and a folder for item IDs");
-  addDevice(command, *device);
+  addDevice(command, options->device, options->deviceName);
   command.addExamples({"--device opengl", "--device vulkan"});
-  command.onRead([device, &context] { context.command = [device] { serve(*device); }; });
+  command.onRead([options, &context] { context.command = [options] { serve(*options); }; });
 }
 
 }  // namespace hemitex::cli

@@ -43,14 +43,16 @@ void writeVectors(const std::filesystem::path& folder, const std::string& writer
     writeCsv(std::cout, tableOf(vectors));
 }
 
-void addDevice(Command command, Device& device) {
-  addChoice<Device>(command, "--device", device,
-                    {{"software", Device::Software},
-                     {"opengl", Device::OpenGl},
-                     {"opengl-fixed-function", Device::OpenGlFixedFunction},
-                     {"opengl-plain", Device::OpenGlPlain},
-                     {"vulkan", Device::Vulkan}},
-                    "draw with this renderer; software follows the raster rules exactly (default software)");
+void addDevice(Command command, Device& device, std::string& name) {
+  const Option option =
+      addChoice<Device>(command, "--device", device,
+                        {{"software", Device::Software},
+                         {"opengl", Device::OpenGl},
+                         {"opengl-fixed-function", Device::OpenGlFixedFunction},
+                         {"opengl-plain", Device::OpenGlPlain},
+                         {"vulkan", Device::Vulkan}},
+                        "draw with this renderer; software follows the raster rules exactly (default software)");
+  command.addText("--device-name", "NAME", "draw with the first device whose name contains this", name).needs(option);
 }
 
 void addStages(Command command, bool& stages) {

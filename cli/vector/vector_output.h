@@ -19,8 +19,8 @@ void writeVectors(const std::filesystem::path& folder, const std::string& writer
                   const std::function<reference::TestVector(std::size_t)>& vectorAt, bool withIds,
                   const Context& context);
 
-/// Adds `--device`.
-void addDevice(Command command, Device& device);
+/// Adds `--device` and `--device-name`.
+void addDevice(Command command, Device& device, std::string& name);
 
 /// Adds `--stages`.
 void addStages(Command command, bool& stages);

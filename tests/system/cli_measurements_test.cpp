@@ -99,7 +99,9 @@ TEST_CASE("hemitex tradeoff writes a table, an object and a page, the same for a
 
 TEST_CASE("hemitex bench measures all documented times", "[cli]") {
   const Shell shell;
-  const std::string out = shell.output("bench room.obj --resolution 16 --resolution 32 --json -o out");
+  const Outcome outcome = shell.run("bench room.obj --resolution 16 --resolution 32 --json -o out");
+  REQUIRE(outcome.exitCode == 0);
+  const std::string& out = outcome.out;
   const json result = json::parse(out);
   CHECK(readAll(shell.file("out/bench.json")) == out);
   std::map<int, std::set<std::string>> found;
@@ -119,6 +121,7 @@ TEST_CASE("hemitex bench measures all documented times", "[cli]") {
   std::set<std::string> all{"hemicube", "draw", "embree", "floor", "hemicube-mesh", "shot", "solution"};
   const bool hasOpenGl = !found.empty() && found.begin()->second.contains("opengl");
   if (hasOpenGl) all.insert({"opengl", "opengl-plain"});
+  CHECK((outcome.err.find("OpenGL draws with ") != std::string::npos) == hasOpenGl);
   CHECK(found == std::map<int, std::set<std::string>>{{16, all}, {32, all}});
   // All but the hemicubes, the slower of both OpenGL paths, and the shots and solutions.
   CHECK(result["ratios"].size() == 2 * (all.size() - 1 - (hasOpenGl ? 1 : 0) - 2));

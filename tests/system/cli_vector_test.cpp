@@ -133,10 +133,14 @@ TEST_CASE("hemitex vector render --device draws a vector on another device if th
   CHECK(shell.run("vector render vector --device abacus -o device").exitCode == 2);
   for (const std::string device : {"opengl", "opengl-fixed-function", "opengl-plain", "vulkan"}) {
     INFO(device);
-    const Outcome drawn = shell.run("vector render vector --device " + device + " -o " + device);
-    if (drawn.exitCode == 0)
+    const std::string draw = "vector render vector --device " + device + " -o " + device;
+    const Outcome drawn = shell.run(draw), other = shell.run(draw + " --device-name abacus");
+    CHECK(other.exitCode == 2);
+    if (drawn.exitCode == 0) {
       CHECK(shell.run("vector check vector --candidate " + device).exitCode == 0);
-    else
+      CHECK(drawn.err.find("drawn by ") != std::string::npos);
+      CHECK(other.err.find("\"abacus\" in its name") != std::string::npos);
+    } else
       CHECK((drawn.exitCode == 2 && drawn.err.find(device == "vulkan" ? "Vulkan" : "OpenGL") != std::string::npos));
   }
 }

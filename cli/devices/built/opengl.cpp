@@ -12,8 +12,11 @@ reference::OpenGlPath pathOf(Device device) {
 
 }  // namespace
 
-std::unique_ptr<raster::ItemBufferRenderer> makeOpenGlRenderer(const raster::DrawList& list, Device device) {
-  return reference::makeOpenGlRenderer(list, pathOf(device));
+std::unique_ptr<raster::ItemBufferRenderer> makeOpenGlRenderer(const raster::DrawList& list, Device device,
+                                                               const std::string& name) {
+  return reference::makeOpenGlRenderer(list, pathOf(device), name);
 }
+
+std::string openGlDeviceName(const std::string& name) { return reference::openGlDeviceName(name); }
 
 }  // namespace hemitex::cli

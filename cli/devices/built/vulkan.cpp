@@ -3,8 +3,10 @@
 
 namespace hemitex::cli {
 
-std::unique_ptr<raster::ItemBufferRenderer> makeVulkanRenderer(const raster::DrawList& list) {
-  return reference::makeVulkanRenderer(list);
+std::unique_ptr<raster::ItemBufferRenderer> makeVulkanRenderer(const raster::DrawList& list, const std::string& name) {
+  return reference::makeVulkanRenderer(list, name);
 }
+
+std::string vulkanDeviceName(const std::string& name) { return reference::vulkanDeviceName(name); }
 
 }  // namespace hemitex::cli

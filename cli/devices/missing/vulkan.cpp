@@ -3,7 +3,12 @@
 
 namespace hemitex::cli {
 
-std::unique_ptr<raster::ItemBufferRenderer> makeVulkanRenderer(const raster::DrawList&) {
+std::unique_ptr<raster::ItemBufferRenderer> makeVulkanRenderer(const raster::DrawList&, const std::string& name) {
+  vulkanDeviceName(name);
+  return nullptr;
+}
+
+std::string vulkanDeviceName(const std::string&) {
   throw raster::InputError("this program was built without Vulkan",
                            "install libvulkan-dev and glslang-tools and build hemitex again");
 }

@@ -29,7 +29,7 @@ bool OpenGlContext::isMade() {
   return surface_ != EGL_NO_SURFACE && context_ != EGL_NO_CONTEXT;
 }
 
-std::unique_ptr<OpenGlContext> OpenGlContext::create() {
+std::unique_ptr<OpenGlContext> OpenGlContext::create(const std::string& name) {
   if (!epoxy_has_egl() || !epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_EXT_platform_device")) return nullptr;
   std::array<EGLDeviceEXT, 16> devices;
   EGLint count = 0;
@@ -38,9 +38,14 @@ std::unique_ptr<OpenGlContext> OpenGlContext::create() {
     const EGLDisplay display = eglGetPlatformDisplayEXT(EGL_PLATFORM_DEVICE_EXT, devices[d], nullptr);
     if (display == EGL_NO_DISPLAY) continue;
     std::unique_ptr<OpenGlContext> context(new OpenGlContext(display));
-    if (context->isMade()) return context;
+    if (context->isMade() && context->name().find(name) != std::string::npos) return context;
   }
   return nullptr;
+}
+
+std::string OpenGlContext::name() const {
+  const Use use(*this);
+  return reinterpret_cast<const char*>(glGetString(GL_RENDERER));
 }
 
 OpenGlContext::~OpenGlContext() {

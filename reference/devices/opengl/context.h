@@ -6,6 +6,7 @@
 #include <epoxy/gl.h>
 
 #include <memory>
+#include <string>
 
 namespace hemitex::reference {
 
@@ -13,11 +14,15 @@ namespace hemitex::reference {
 /// ends, because EGL does not count the users of a display.
 class OpenGlContext {
  public:
-  /// Uses the first device with the compatibility profile of OpenGL 4.5; returns null if there is none.
-  static std::unique_ptr<OpenGlContext> create();
+  /// Uses the first device with the compatibility profile of OpenGL 4.5 whose name contains `name`; returns null if
+  /// there is none.
+  static std::unique_ptr<OpenGlContext> create(const std::string& name = "");
   ~OpenGlContext();
   OpenGlContext(const OpenGlContext&) = delete;
   OpenGlContext& operator=(const OpenGlContext&) = delete;
+
+  /// The renderer of the device, as its driver names it.
+  std::string name() const;
 
   /// Makes the context current on this thread during its lifetime; the context must outlive it.
   class Use {

@@ -73,7 +73,7 @@ Framebuffer makeFramebuffer(const raster::ItemBuffer& size, GLint colourStorage)
 
 class OpenGlRenderer final : public raster::ItemBufferRenderer {
  public:
-  OpenGlRenderer(const raster::DrawList& list, OpenGlPath path);
+  OpenGlRenderer(const raster::DrawList& list, OpenGlPath path, const std::string& name);
   void draw(std::span<const raster::Face> faces, std::span<const std::uint32_t> skipped,
             std::vector<raster::ItemBuffer>& buffers, const std::function<void(std::size_t)>& drawn) override;
 
@@ -89,12 +89,18 @@ class OpenGlRenderer final : public raster::ItemBufferRenderer {
   std::map<std::pair<int, int>, Framebuffer> framebuffers_;  ///< by width and height
 };
 
-OpenGlRenderer::OpenGlRenderer(const raster::DrawList& list, OpenGlPath path)
-    : list_(list), context_(OpenGlContext::create()) {
+std::unique_ptr<OpenGlContext> openDevice(const std::string& name) {
+  std::unique_ptr<OpenGlContext> context = OpenGlContext::create(name);
+  if (!context)
+    throw InputError(
+        "no OpenGL device" + (name.empty() ? "" : " with \"" + name + "\" in its name") + " answers through EGL",
+        "install a driver with the compatibility profile of OpenGL 4.5; Mesa's needs no graphics card");
+  return context;
+}
+
+OpenGlRenderer::OpenGlRenderer(const raster::DrawList& list, OpenGlPath path, const std::string& name)
+    : list_(list), context_(openDevice(name)) {
   raster::validate(list);
-  if (!context_)
-    throw InputError("no OpenGL device answers through EGL",
-                     "install a driver with the compatibility profile of OpenGL 4.5; Mesa's needs no graphics card");
   const OpenGlContext::Use use(*context_);
   pipeline_ = makePipeline(list_, path);
   if (pipeline_->textureTarget() != GL_NONE) textures_ = makeTextures(list.indexMaps, *pipeline_);
@@ -162,8 +168,11 @@ void OpenGlRenderer::draw(std::span<const raster::Face> faces, std::span<const s
 
 }  // namespace
 
-std::unique_ptr<raster::ItemBufferRenderer> makeOpenGlRenderer(const raster::DrawList& list, OpenGlPath path) {
-  return std::make_unique<OpenGlRenderer>(list, path);
+std::unique_ptr<raster::ItemBufferRenderer> makeOpenGlRenderer(const raster::DrawList& list, OpenGlPath path,
+                                                               const std::string& name) {
+  return std::make_unique<OpenGlRenderer>(list, path, name);
 }
+
+std::string openGlDeviceName(const std::string& name) { return openDevice(name)->name(); }
 
 }  // namespace hemitex::reference

@@ -15,6 +15,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 
 #include "raster/interface/draw_list.h"
 #include "raster/interface/item_buffer_renderer.h"
@@ -27,13 +28,17 @@ enum class OpenGlPath {
   Plain,          ///< what an application does by default, without any remedy (plain_pipeline.h)
 };
 
-/// Throws InputError if the list breaks the rules, there is no device (see context.h), or an index map exceeds the
-/// device's textures, on the shader path its buffers. Also throws it if the path cannot draw the list. Fixed-function
-/// hardware adds only channels of 8 bits with clamping and, in any format, item IDs that share no bits. It discards no
-/// holes.
+/// Draws with the first device whose name contains `name`. Throws InputError if the list breaks the rules, there is no
+/// device (see context.h), or an index map exceeds the device's textures, on the shader path its buffers. Also throws
+/// it if the path cannot draw the list. Fixed-function hardware adds only channels of 8 bits with clamping and, in any
+/// format, item IDs that share no bits. It discards no holes.
 ///
 /// Drawing throws InputError if a face breaks the rules or exceeds the device's viewport, or if the device fails. The
 /// fixed-function path draws the fronts of a draw before its backs: at equal depths the front is visible.
-std::unique_ptr<raster::ItemBufferRenderer> makeOpenGlRenderer(const raster::DrawList& list, OpenGlPath path);
+std::unique_ptr<raster::ItemBufferRenderer> makeOpenGlRenderer(const raster::DrawList& list, OpenGlPath path,
+                                                               const std::string& name = "");
+
+/// The whole name of that device.
+std::string openGlDeviceName(const std::string& name = "");
 
 }  // namespace hemitex::reference

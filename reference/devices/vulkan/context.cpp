@@ -1,9 +1,23 @@
 #include "reference/devices/vulkan/context.h"
 
 #include <exception>
+#include <optional>
+
+#include "raster/base/input_error.h"
 
 namespace hemitex::reference {
 namespace {
+
+constexpr const char* howToGetOne =
+    "install a driver of Vulkan 1.3 with double precision in shaders; Mesa's lavapipe needs no graphics card";
+
+/// One for the process: drivers allow a few only, and making one takes longer than a hemicube.
+const vk::raii::Instance& instance() {
+  static const vk::raii::Context loader;
+  static const vk::ApplicationInfo application{.apiVersion = VK_API_VERSION_1_3};
+  static const vk::raii::Instance instance(loader, vk::InstanceCreateInfo{.pApplicationInfo = &application});
+  return instance;
+}
 
 std::optional<std::uint32_t> graphicsFamily(const vk::raii::PhysicalDevice& device) {
   const std::vector<vk::QueueFamilyProperties> families = device.getQueueFamilyProperties();
@@ -31,22 +45,27 @@ vk::raii::Device makeDevice(const vk::raii::PhysicalDevice& physicalDevice, std:
 
 }  // namespace
 
-std::optional<VulkanContext> openVulkanDevice() try {
-  vk::raii::Context loader;
-  const vk::ApplicationInfo application{.apiVersion = VK_API_VERSION_1_3};
-  vk::raii::Instance instance(loader, vk::InstanceCreateInfo{.pApplicationInfo = &application});
-  for (vk::raii::PhysicalDevice& candidate : vk::raii::PhysicalDevices(instance)) {
-    if (!isSuitable(candidate)) continue;
-    const std::uint32_t family = *graphicsFamily(candidate);
-    vk::raii::Device device = makeDevice(candidate, family);
-    vk::raii::Queue queue(device, family, 0);
-    return VulkanContext{std::move(loader), std::move(instance), std::move(candidate), family,
-                         std::move(device), std::move(queue)};
+std::string nameOf(const VulkanContext& context) { return context.physicalDevice.getProperties().deviceName; }
+
+VulkanContext openVulkanDevice(const std::string& name) try {
+  std::string others;
+  for (vk::raii::PhysicalDevice& candidate : vk::raii::PhysicalDevices(instance())) {
+    const std::string found = candidate.getProperties().deviceName;
+    if (isSuitable(candidate) && found.find(name) != std::string::npos) {
+      const std::uint32_t family = *graphicsFamily(candidate);
+      vk::raii::Device device = makeDevice(candidate, family);
+      vk::raii::Queue queue(device, family, 0);
+      return {std::move(candidate), family, std::move(device), std::move(queue)};
+    }
+    others += (others.empty() ? "; there is " : ", ") + found;
   }
-  return std::nullopt;
-} catch (const std::exception&) {
+  const std::string named = name.empty() ? " answers" : " has \"" + name + "\" in its name";
+  throw raster::InputError("no Vulkan device with the required features" + named + others, howToGetOne);
+} catch (const raster::InputError&) {
+  throw;
+} catch (const std::exception& error) {
   // The loader reports a missing library or driver by different exceptions.
-  return std::nullopt;
+  throw raster::InputError(std::string("no Vulkan device answers: ") + error.what(), howToGetOne);
 }
 
 }  // namespace hemitex::reference

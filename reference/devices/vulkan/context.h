@@ -2,23 +2,24 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
+#include <string>
 #include <vulkan/vulkan_raii.hpp>
 
 namespace hemitex::reference {
 
-/// Members are destroyed in reverse order, the device before its instance.
+/// Members are destroyed in reverse order. The instance stays until the process ends.
 struct VulkanContext {
-  vk::raii::Context loader;
-  vk::raii::Instance instance;
   vk::raii::PhysicalDevice physicalDevice;
   std::uint32_t queueFamily;
   vk::raii::Device device;
   vk::raii::Queue queue;
 };
 
-/// Requires Vulkan 1.3, double precision in shaders, and 8 bits of sub-pixel precision, with which the device snaps
-/// corners as the rules do. Returns nothing if no device has them, or if there is no driver.
-std::optional<VulkanContext> openVulkanDevice();
+/// Opens the first device whose name contains `name`. Requires Vulkan 1.3, double precision in shaders, and 8 bits of
+/// sub-pixel precision, with which the device snaps corners as the rules do. Throws InputError if no device has them,
+/// with the names of the others, or if the loader or a driver fails, with its message.
+VulkanContext openVulkanDevice(const std::string& name = "");
+
+std::string nameOf(const VulkanContext& context);
 
 }  // namespace hemitex::reference

@@ -8,23 +8,33 @@
 namespace hemitex::reference {
 namespace {
 
+/// Memory with the first of `choices` that the device has.
 vk::raii::DeviceMemory allocate(const VulkanContext& context, const vk::MemoryRequirements& requirements,
-                                vk::MemoryPropertyFlags properties) {
+                                std::initializer_list<vk::MemoryPropertyFlags> choices) {
   const vk::PhysicalDeviceMemoryProperties memory = context.physicalDevice.getMemoryProperties();
-  for (std::uint32_t type = 0; type < memory.memoryTypeCount; ++type)
-    if ((requirements.memoryTypeBits >> type & 1) &&
-        (memory.memoryTypes[type].propertyFlags & properties) == properties)
-      return {context.device, vk::MemoryAllocateInfo{.allocationSize = requirements.size, .memoryTypeIndex = type}};
+  if (const auto type = memoryType(memory, requirements.memoryTypeBits, choices))
+    return {context.device, vk::MemoryAllocateInfo{.allocationSize = requirements.size, .memoryTypeIndex = *type}};
   throw raster::InputError("the Vulkan device has no memory for this use");
 }
 
 }  // namespace
 
+std::optional<std::uint32_t> memoryType(const vk::PhysicalDeviceMemoryProperties& memory, std::uint32_t allowed,
+                                        std::initializer_list<vk::MemoryPropertyFlags> choices) {
+  for (const vk::MemoryPropertyFlags properties : choices)
+    for (std::uint32_t type = 0; type < memory.memoryTypeCount; ++type)
+      if ((allowed >> type & 1) && (memory.memoryTypes[type].propertyFlags & properties) == properties) return type;
+  return std::nullopt;
+}
+
 VulkanBuffer makeBuffer(const VulkanContext& context, std::size_t size, vk::BufferUsageFlags usage) {
   using Property = vk::MemoryPropertyFlagBits;
   vk::raii::Buffer buffer(context.device, vk::BufferCreateInfo{.size = size, .usage = usage});
+  const vk::MemoryPropertyFlags shared = Property::eHostVisible | Property::eHostCoherent;
+  // Reading memory that is not cached takes longer than drawing.
+  const bool isRead = static_cast<bool>(usage & vk::BufferUsageFlagBits::eTransferDst);
   vk::raii::DeviceMemory memory =
-      allocate(context, buffer.getMemoryRequirements(), Property::eHostVisible | Property::eHostCoherent);
+      allocate(context, buffer.getMemoryRequirements(), {isRead ? shared | Property::eHostCached : shared, shared});
   buffer.bindMemory(*memory, 0);
   auto* const bytes = static_cast<std::byte*>(memory.mapMemory(0, VK_WHOLE_SIZE));
   return {std::move(memory), std::move(buffer), bytes};
@@ -51,7 +61,7 @@ VulkanImage makeImage(const VulkanContext& context, vk::Format format, vk::Image
                                                             .arrayLayers = 1,
                                                             .usage = usage});
   vk::raii::DeviceMemory memory =
-      allocate(context, image.getMemoryRequirements(), vk::MemoryPropertyFlagBits::eDeviceLocal);
+      allocate(context, image.getMemoryRequirements(), {vk::MemoryPropertyFlagBits::eDeviceLocal});
   image.bindMemory(*memory, 0);
   vk::raii::ImageView view(context.device, vk::ImageViewCreateInfo{.image = *image,
                                                                    .viewType = vk::ImageViewType::e2D,

@@ -2,11 +2,17 @@
 #pragma once
 
 #include <cstddef>
+#include <initializer_list>
+#include <optional>
 #include <span>
 
 #include "reference/devices/vulkan/context.h"
 
 namespace hemitex::reference {
+
+/// The first of the allowed types of memory, a bit each, that has the properties of the first choice that any has.
+std::optional<std::uint32_t> memoryType(const vk::PhysicalDeviceMemoryProperties& memory, std::uint32_t allowed,
+                                        std::initializer_list<vk::MemoryPropertyFlags> choices);
 
 /// A buffer that the device and this program both read and write.
 struct VulkanBuffer {

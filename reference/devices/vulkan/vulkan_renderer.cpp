@@ -21,15 +21,6 @@ using raster::InputError;
 using raster::ItemId;
 using Layout = vk::ImageLayout;
 
-VulkanContext openDevice() {
-  std::optional<VulkanContext> context = openVulkanDevice();
-  if (!context)
-    throw InputError("no Vulkan device with the required features answers",
-                     "install a driver of Vulkan 1.3 with double precision in shaders; Mesa's lavapipe needs no "
-                     "graphics card");
-  return std::move(*context);
-}
-
 InputError failure(const vk::SystemError& error) {
   return InputError(std::string("the Vulkan device fails: ") + error.what());
 }
@@ -55,7 +46,7 @@ vk::raii::CommandBuffer makeCommands(const VulkanContext& context, const vk::rai
 
 class VulkanRenderer final : public raster::ItemBufferRenderer {
  public:
-  explicit VulkanRenderer(const raster::DrawList& list);
+  VulkanRenderer(const raster::DrawList& list, const std::string& name);
   void draw(std::span<const Face> faces, std::span<const std::uint32_t> skipped,
             std::vector<raster::ItemBuffer>& buffers, const std::function<void(std::size_t)>& drawn) override;
 
@@ -76,9 +67,9 @@ class VulkanRenderer final : public raster::ItemBufferRenderer {
   std::size_t outputSize_ = 0;
 };
 
-VulkanRenderer::VulkanRenderer(const raster::DrawList& list)
+VulkanRenderer::VulkanRenderer(const raster::DrawList& list, const std::string& name)
     : list_(list),
-      context_(openDevice()),
+      context_(openVulkanDevice(name)),
       largestViewport_(largestViewport(context_)),
       pipeline_(makePipeline(context_, list)),
       commandPool_(makeCommandPool(context_)),
@@ -178,11 +169,14 @@ void VulkanRenderer::draw(std::span<const Face> faces, std::span<const std::uint
 
 }  // namespace
 
-std::unique_ptr<raster::ItemBufferRenderer> makeVulkanRenderer(const raster::DrawList& list) try {
+std::unique_ptr<raster::ItemBufferRenderer> makeVulkanRenderer(const raster::DrawList& list,
+                                                               const std::string& name) try {
   raster::validate(list);
-  return std::make_unique<VulkanRenderer>(list);
+  return std::make_unique<VulkanRenderer>(list, name);
 } catch (const vk::SystemError& error) {
   throw failure(error);
 }
+
+std::string vulkanDeviceName(const std::string& name) { return nameOf(openVulkanDevice(name)); }
 
 }  // namespace hemitex::reference

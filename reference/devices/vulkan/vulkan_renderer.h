@@ -5,15 +5,20 @@
 #pragma once
 
 #include <memory>
+#include <string>
 
 #include "raster/interface/draw_list.h"
 #include "raster/interface/item_buffer_renderer.h"
 
 namespace hemitex::reference {
 
-/// Throws InputError if the list breaks the rules or exceeds the buffers of the device, or if there is no device (see
-/// context.h). Drawing throws InputError if a face breaks the rules or exceeds the device's viewport, or if the device
-/// fails.
-std::unique_ptr<raster::ItemBufferRenderer> makeVulkanRenderer(const raster::DrawList& list);
+/// Draws with the first device whose name contains `name`. Throws InputError if the list breaks the rules or exceeds
+/// the buffers of the device, or if there is no device (see context.h). Drawing throws InputError if a face breaks the
+/// rules or exceeds the device's viewport, or if the device fails.
+std::unique_ptr<raster::ItemBufferRenderer> makeVulkanRenderer(const raster::DrawList& list,
+                                                               const std::string& name = "");
+
+/// The whole name of that device.
+std::string vulkanDeviceName(const std::string& name = "");
 
 }  // namespace hemitex::reference

@@ -37,6 +37,9 @@ bool hasDevice() {
   return isFound;
 }
 
+/// Whether the shares of exact pixels are known: those of another device depend on its interpolation and its depths.
+bool isLlvmpipe() { return reference::openGlDeviceName().find("llvmpipe") != std::string::npos; }
+
 /// |b - truth| over truth of each element; infinite if only the truth is dark.
 std::vector<double> errorsByElement(std::span<const glm::dvec3> found, std::span<const glm::dvec3> truth) {
   std::vector<double> errors;
@@ -61,8 +64,9 @@ std::uint64_t depthStepsInBinary32() {
 }
 
 /// Draws the suite and judges it with the default profile, which has 8 bits of sub-pixel precision and depths in
-/// binary32, as Mesa's llvmpipe does. Returns the names of the vectors that the path does not draw.
+/// binary32, as graphics cards and Mesa's llvmpipe have. Returns the names of the vectors that the path does not draw.
 std::vector<std::string> judgeSuite(OpenGlPath path) {
+  const bool areSharesKnown = isLlvmpipe();
   tests::Tally suite;
   std::vector<std::string> leftOut;
   for (const TestVector& vector : reference::wholeSuite(HEMITEX_DATA)) {
@@ -78,14 +82,14 @@ std::vector<std::string> judgeSuite(OpenGlPath path) {
     CHECK(!hasErrors(verdict));
     const tests::Tally tally = tests::tallyOf(vector, verdict);
     if (vector.name == "depth-steps" && path == OpenGlPath::FixedFunction) {
-      CHECK(tally.exact >= depthStepsInBinary32());
-    } else {
+      CHECK((!areSharesKnown || tally.exact >= depthStepsInBinary32()));
+    } else if (areSharesKnown) {
       CHECK(static_cast<double>(tally.exact) >= 0.99 * static_cast<double>(tally.covered));
     }
     suite += tally;
   }
   CHECK(suite.covered > 200000);
-  CHECK(static_cast<double>(suite.exact) >= 0.999 * static_cast<double>(suite.covered));
+  CHECK(static_cast<double>(suite.exact) >= (areSharesKnown ? 0.999 : 0.98) * static_cast<double>(suite.covered));
   return leftOut;
 }
 
@@ -149,7 +153,7 @@ TEST_CASE("makeOpenGlRenderer without remedies draws the whole suite without err
     plain += tests::tallyOf(vector, verdict);
     shader += tests::tallyOf(vector, verdictOf(OpenGlPath::Shader));
   }
-  CHECK(static_cast<double>(plain.exact) >= 0.98 * static_cast<double>(plain.covered));
+  CHECK(static_cast<double>(plain.exact) >= (isLlvmpipe() ? 0.98 : 0.9) * static_cast<double>(plain.covered));
   CHECK(plain.exact < shader.exact);
 }
 
@@ -169,6 +173,16 @@ TEST_CASE("makeOpenGlRenderer draws holes and culls; fixed function refuses hole
           CHECK(
               !hasErrors(judge(vector, render(*makeOpenGlRenderer(vector.list, path), facesOf(vector), {}), profile)));
       }
+}
+
+TEST_CASE("makeOpenGlRenderer draws with the device of a name, and with no other", "[opengl]") {
+  if (!hasDevice()) return;
+  const std::string name = reference::openGlDeviceName();
+  CHECK_FALSE(name.empty());
+  CHECK(reference::openGlDeviceName(name.substr(1, 5)) == name);
+  CHECK_NOTHROW(makeOpenGlRenderer(tests::plainList(), OpenGlPath::Shader, name));
+  CHECK_THROWS_WITH(makeOpenGlRenderer(tests::plainList(), OpenGlPath::Shader, "abacus"),
+                    Catch::Contains("no OpenGL device with \"abacus\" in its name"));
 }
 
 TEST_CASE("makeOpenGlRenderer leaves out skipped triangles", "[opengl]") {

@@ -7,6 +7,7 @@
 #include "raster/base/input_error.h"
 #include "reference/conformance/scenes/scene_vectors.h"
 #include "reference/conformance/vectors/random_vectors.h"
+#include "reference/devices/vulkan/memory.h"
 #include "tests/support/device_scenes.h"
 
 using namespace hemitex;
@@ -72,6 +73,40 @@ TEST_CASE("makeVulkanRenderer draws holes and culls", "[vulkan]") {
       INFO(vector.name);
       CHECK(!hasErrors(judge(vector, draw(vector), {})));
     }
+}
+
+TEST_CASE("openVulkanDevice opens devices of one instance, as many as a process needs", "[vulkan]") {
+  if (!hasDevice()) return;
+  std::vector<std::unique_ptr<raster::ItemBufferRenderer>> renderers;
+  for (int k = 0; k < 64; ++k) renderers.push_back(makeVulkanRenderer(tests::plainList()));
+  // Physical devices belong to their instance: another one would have another handle.
+  const reference::VulkanContext a = reference::openVulkanDevice(), b = reference::openVulkanDevice();
+  CHECK(*a.physicalDevice == *b.physicalDevice);
+  CHECK(*a.device != *b.device);
+}
+
+TEST_CASE("openVulkanDevice opens the device of a name, and names the others where there is none", "[vulkan]") {
+  if (!hasDevice()) return;
+  const std::string name = reference::vulkanDeviceName();
+  CHECK(reference::vulkanDeviceName(name.substr(1, 5)) == name);
+  CHECK_NOTHROW(makeVulkanRenderer(tests::plainList(), name));
+  CHECK_THROWS_WITH(makeVulkanRenderer(tests::plainList(), "abacus"),
+                    Catch::Contains("has \"abacus\" in its name; there is ") && Catch::Contains(name));
+}
+
+TEST_CASE("memoryType prefers the first choice, and takes the next where the device lacks it", "[vulkan]") {
+  using Property = vk::MemoryPropertyFlagBits;
+  const vk::MemoryPropertyFlags shared = Property::eHostVisible | Property::eHostCoherent;
+  const vk::MemoryPropertyFlags cached = shared | Property::eHostCached;
+  vk::PhysicalDeviceMemoryProperties memory;
+  memory.memoryTypeCount = 3;
+  memory.memoryTypes[0].propertyFlags = Property::eDeviceLocal;
+  memory.memoryTypes[1].propertyFlags = shared;
+  memory.memoryTypes[2].propertyFlags = cached;
+  CHECK(reference::memoryType(memory, 7, {cached, shared}) == 2);
+  CHECK(reference::memoryType(memory, 3, {cached, shared}) == 1);
+  CHECK(reference::memoryType(memory, 7, {shared, shared}) == 1);
+  CHECK_FALSE(reference::memoryType(memory, 1, {cached, shared}));
 }
 
 TEST_CASE("makeVulkanRenderer leaves out skipped triangles", "[vulkan]") {
