@@ -40,6 +40,15 @@ ItemId repeatedTexelBelow(const IndexMap& map, const Lookup& lookup) {
   return nearestTexel(map, at - glm::floor(at));
 }
 
+/// Texture units round u N to 1/256 texel before it repeats.
+ItemId repeatedTexelInFixedPoint(const IndexMap& map, const Lookup& lookup) {
+  const glm::dvec2 size = sizeOf(map);
+  glm::dvec2 texel;
+  for (int axis = 0; axis < 2; ++axis)
+    texel[axis] = std::floor(std::nearbyint(lookup.at[axis] * size[axis] * 256) / 256);
+  return texelAt(map, texel - size * glm::floor(texel / size));
+}
+
 ItemId mirroredTexel(const IndexMap& map, const Lookup& lookup) {
   const glm::dvec2 period = lookup.at - 2.0 * glm::floor(lookup.at / 2.0);
   return nearestTexel(map, glm::min(period, 2.0 - period));
@@ -268,6 +277,7 @@ std::vector<Fault> textureFaults(const TestVector& vector) {
        "set the wrap mode of both coordinates to clamp to edge",
        {{"repeated", withFetch(repeatedTexel)},
         {"repeated, also just below 0", withFetch(repeatedTexelBelow)},
+        {"repeated, in fixed point", withFetch(repeatedTexelInFixedPoint)},
         {"mirrored", withFetch(mirroredTexel)}}},
       {"texels at u (N - 1)", "texel i covers i/N to (i + 1)/N: multiply by the number of texels", oneTexelLess()},
       {"u N rounded to binary32",
