@@ -89,7 +89,7 @@ TEST_CASE("guessDeviceClass gives nothing for a device without errors, or with a
           "[calibration]") {
   const std::vector<reference::TestVector> suite = reference::wholeSuite(HEMITEX_DATA);
   CHECK_FALSE(guessFor({}, {suite[0], suite[1]}));
-  // Three faults are properties of a class.
+  // Three faults are properties of a class, but no class has samples on edges that no triangle covers.
   const std::set<std::string> properties{"wrong fill rule", "16-bit depth", "vertices snapped to fewer bits"};
   for (const tests::Injection& injection : tests::injectedFaults()) {
     INFO(injection.fault << " on " << injection.vector);
@@ -97,6 +97,7 @@ TEST_CASE("guessDeviceClass gives nothing for a device without errors, or with a
                                      [&](const reference::TestVector& v) { return v.name == injection.vector; });
     REQUIRE(vector != suite.end());
     const std::optional<DeviceClass> guess = guessFrom({*vector}, {injection.draw(*vector, {})});
-    CHECK(guess.has_value() == properties.contains(injection.fault));
+    const bool isImpossible = injection.fault == "wrong fill rule" && injection.vector == "borders-on-samples";
+    CHECK(guess.has_value() == (properties.contains(injection.fault) && !isImpossible));
   }
 }

@@ -219,3 +219,59 @@ TEST_CASE("commonFault over the small vectors of the suite names faults that sin
   }
   CHECK(tested == faults);
 }
+
+TEST_CASE("commonFault over the small vectors of the suite names faults by more than half of the vectors with errors",
+          "[diagnosis]") {
+  // Many vectors show these in less than eight pixels, or only within rounding.
+  const std::vector<TestVector> suite = reference::vectorSuite();
+  const std::set<std::string> faults{"multisampling",
+                                     "linear filtering",
+                                     "item IDs through binary32",
+                                     "16-bit depth",
+                                     "conservative rasterization",
+                                     "depth bias",
+                                     "texels at u (N - 1)",
+                                     "u N rounded to binary32",
+                                     "item ID interpolated",
+                                     "item IDs through half floats",
+                                     "tone mapping",
+                                     "stale face",
+                                     "enlarged picture",
+                                     "dilation",
+                                     "supersampling averaged"};
+  std::set<std::string> tested;
+  for (const tests::Injection& injection : tests::injectedFaults()) {
+    if (faults.count(injection.fault) == 0) continue;
+    std::vector<reference::Report> reports;
+    for (const TestVector& vector : suite)
+      if (vector.name == injection.vector || pixelsOf(vector) <= 1100)
+        reports.push_back(
+            reportOn(vector, injection.draw(vector, SimulatedDevice{injection.profile, 1, false}), injection.profile));
+    const auto common = commonFault(reports);
+    INFO(injection.fault << " on " << injection.vector << (common ? ": " + toText(*common) : ""));
+    REQUIRE(common);
+    CHECK(common->finding.fault == injection.fault);
+    CHECK_FALSE(isWeak(*common));
+    tested.insert(injection.fault);
+  }
+  CHECK(tested == faults);
+}
+
+TEST_CASE("diagnose does not name a fault by pixels that are explained, where it gives none of the errors",
+          "[diagnosis]") {
+  // Coordinates just below the exact ones, which a profile explains, repeat at 0: only these pixels are errors.
+  SimulatedDevice device;
+  device.profile.vertexError = 0;
+  device.profile.texelPrecision = 0;
+  device.fetch = [](const raster::IndexMap& map, const glm::dvec2& at) {
+    const glm::dvec2 size(map.width, map.height), below = at - 0x1p-20;
+    return reference::texelAt(map, below - size * glm::floor(below / size));
+  };
+  const std::vector<TestVector> suite = reference::vectorSuite();
+  const TestVector& vector = named(suite, "borders-on-samples");
+  const Buffers found = drawAll(device, vector);
+  const reference::Verdict verdict = judge(vector, found, {});
+  CHECK(countVerdicts(verdict)[static_cast<std::size_t>(reference::PixelVerdict::Error)] == 63);
+  CHECK(countVerdicts(verdict)[static_cast<std::size_t>(reference::PixelVerdict::Texel)] == 1024 - 63);
+  CHECK(faultsNamed(vector, found).count("texture coordinates just below the exact ones") == 0);
+}
