@@ -124,13 +124,15 @@ std::vector<ContactPart> contactParts(std::span<const TrianglePositions> triangl
   const auto isSolid = [&](std::uint32_t n) { return shells.kindOf(n) == ShellKind::Solid; };
   std::vector<Other> others;
   for (const std::uint32_t n : near)
-    if (areInOnePlace(triangles[number], triangles[n], plane, tolerance))
+    if (n != number && areInOnePlace(triangles[number], triangles[n], plane, tolerance))
       others.push_back(otherOf(triangles[n], n, plane));
+  std::sort(others.begin(), others.end(), [](const Other& a, const Other& b) { return a.number < b.number; });
   // Solids back nothing.
   std::erase_if(others, [&](const Other& other) { return other.isOpposite && isSolid(other.number); });
   const bool mayBeCovered =
       std::any_of(others.begin(), others.end(), [](const Other& other) { return !other.isOpposite; });
   if (others.size() > mostOthers || (isSolid(number) && !mayBeCovered)) others.clear();
+  if (others.empty()) return {};
 
   struct Part {
     Polygon polygon;

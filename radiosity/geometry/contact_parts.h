@@ -32,9 +32,9 @@ struct ContactPart {
   Contact contact;
 };
 
-/// The parts of triangle `number`, which fill it; one if all of it is in the same contact. `near` has the numbers of
-/// triangles around it, ascending. Faces are in one place if they are parallel and at most `tolerance` apart; corners
-/// within four times that distance of an edge lie on it. A triangle with more than 1,000 others that matter is one part
+/// The parts of triangle `number`, which fill it; one if all of it is in the same contact, and none without contact.
+/// `near` has the numbers of triangles around it, in any order. Faces are in one place if they are parallel and at most `tolerance` apart; corners
+/// within four times that distance of an edge lie on it. A triangle with more than 1,000 others that matter counts as
 /// without contact.
 std::vector<ContactPart> contactParts(std::span<const TrianglePositions> triangles, const Shells& shells,
                                       std::uint32_t number, std::span<const std::uint32_t> near, double tolerance);

@@ -37,7 +37,7 @@ struct NumberedTriangles {
   }
 };
 
-/// The parts of each triangle; one for those without contact.
+/// The parts of each triangle; none for those without contact.
 std::vector<std::vector<ContactPart>> partsInContact(const Scene& scene, const NumberedTriangles& triangles,
                                                      const Shells& shells, const RayTree& tree) {
   const double tolerance = contactTolerance(scene);
@@ -47,8 +47,7 @@ std::vector<std::vector<ContactPart>> partsInContact(const Scene& scene, const N
     const auto& [a, b, c] = triangles.positions[t];
     std::vector<std::uint32_t> near;
     tree.appendNear(glm::min(glm::min(a, b), c) - tolerance, glm::max(glm::max(a, b), c) + tolerance, near);
-    std::erase_if(near, [&](std::uint32_t other) { return other >= count || other == t; });
-    std::sort(near.begin(), near.end());
+    std::erase_if(near, [&](std::uint32_t other) { return other >= count; });
     parts[t] = contactParts(triangles.positions, shells, static_cast<std::uint32_t>(t), near, tolerance);
   });
   return parts;
@@ -79,6 +78,7 @@ bool keepsArea(const Triangle& triangle) {
 /// Appends what is left of a triangle, and the covered parts of solids.
 void appendParts(const Triangle& whole, const std::vector<ContactPart>& parts, std::vector<Triangle>& left,
                  std::vector<Triangle>& covered) {
+  if (parts.empty()) left.push_back(whole);
   for (const ContactPart& part : parts) {
     if (part.contact.coveredBy && whole.solid == 0) continue;
     std::vector<Triangle>& triangles = part.contact.coveredBy ? covered : left;

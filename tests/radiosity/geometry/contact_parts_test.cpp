@@ -63,7 +63,7 @@ TEST_CASE("contactParts fill a triangle and agree with each of its points", "[co
           contactParts(triangles, shells, t, allNumbers(triangles.size()), tolerance);
       double area = 0;
       for (const ContactPart& part : parts) area += areaOf(part.corners);
-      CHECK(area == Approx(0.5).epsilon(1e-9));
+      if (!parts.empty()) CHECK(area == Approx(0.5).epsilon(1e-9));
       for (int i = 0; i < 50; ++i) {
         glm::dvec2 weights = place();
         if (weights.x + weights.y > 1) weights = 1.0 - weights;
@@ -82,9 +82,10 @@ TEST_CASE("contactParts fill a triangle and agree with each of its points", "[co
         if (isNearEdge) continue;
         const auto part = std::find_if(parts.begin(), parts.end(),
                                        [&](const ContactPart& some) { return contains(some.corners, weights, 0); });
-        if (part == parts.end()) continue;  // between two parts
-        CHECK(part->contact.isBacked == isBacked);
-        CHECK(part->contact.coveredBy.has_value() == isCovered);
+        if (part == parts.end() && !parts.empty()) continue;  // between two parts
+        const Contact contact = parts.empty() ? Contact{} : part->contact;
+        CHECK(contact.isBacked == isBacked);
+        CHECK(contact.coveredBy.has_value() == isCovered);
       }
     }
   }
@@ -95,7 +96,7 @@ TEST_CASE("contactParts ignore faces that are near, tilted or beside each other"
   const auto isAlone = [&](const TrianglePositions& other) {
     const std::vector<TrianglePositions> triangles{one, other};
     const std::vector<ContactPart> parts = contactParts(triangles, findShells(triangles), 0, allNumbers(2), tolerance);
-    return parts.size() == 1 && parts.front().contact == Contact{};
+    return parts.empty();
   };
   CHECK_FALSE(isAlone({glm::dvec3(0, 0, 0), {0, 1, 0}, {1, 0, 0}}));
   CHECK_FALSE(isAlone({glm::dvec3(0, 0, 0.9e-6), {0, 1, 0.9e-6}, {1, 0, 0.9e-6}}));
@@ -114,7 +115,6 @@ TEST_CASE("contactParts leave solids on sheets alone", "[contacts]") {
   REQUIRE(shells.kindOf(0) == ShellKind::Solid);
   for (const std::uint32_t t : {0U, 4U}) {
     const std::vector<ContactPart> parts = contactParts(triangles, shells, t, allNumbers(5), tolerance);
-    REQUIRE(parts.size() == 1);
-    CHECK(parts.front().contact == Contact{});
+    CHECK(parts.empty());
   }
 }
