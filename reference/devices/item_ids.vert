@@ -9,8 +9,8 @@ layout(location = 6) flat out double volume;
 layout(location = 7) flat out uint draw;
 
 struct Vertex {
-  dvec3 view;   // x, y, w
-  dvec2 texel;  // texture coordinates in texels
+  dvec3 view;      // x, y, w
+  dvec2 texcoord;  // u, v
 };
 
 // docs/item-buffers.md, "view": in binary32, and `precise`, so that nothing is fused or reordered.
@@ -26,8 +26,8 @@ bool isFinite(vec3 v) { return !any(isnan(v)) && !any(isinf(v)); }
 Vertex crossing(Vertex inside, Vertex outside) {
   precise double t = (inside.view.z - near) / (inside.view.z - outside.view.z);
   precise dvec3 view = inside.view + t * (outside.view - inside.view);
-  precise dvec2 texel = inside.texel + t * (outside.texel - inside.texel);
-  return Vertex(dvec3(view.xy, near), texel);
+  precise dvec2 texcoord = inside.texcoord + t * (outside.texcoord - inside.texcoord);
+  return Vertex(dvec3(view.xy, near), texcoord);
 }
 
 // docs/item-buffers.md, "clip" at the near plane. Returns the number of vertices: 0, 3 or 4.
@@ -54,12 +54,13 @@ dvec3 snap(dvec3 view) {
 //
 //   1/w = (sum(c_k) . p) / D,    u = sum(b_k u_k) = (sum(u_k c_k) . p) / (sum(c_k) . p).
 //
-// So three vectors and D are enough (Olano and Greer 1997).
-void setPlanes(dvec3 v[3], dvec2 texel[3]) {
+// So three vectors and D are enough (Olano and Greer 1997). Texels are u N and v M, multiplied last: a driver of OpenGL
+// (NVIDIA 580.159.04) rounds what passes through arrays of Vertex to binary32, which u and v survive and u N does not.
+void setPlanes(dvec3 v[3], dvec2 texcoord[3], dvec2 size) {
   dvec3 c[3] = dvec3[3](cross(v[1], v[2]), cross(v[2], v[0]), cross(v[0], v[1]));
   one = c[0] + c[1] + c[2];
-  column = c[0] * texel[0].x + c[1] * texel[1].x + c[2] * texel[2].x;
-  row = c[0] * texel[0].y + c[1] * texel[1].y + c[2] * texel[2].y;
+  column = size.x * (c[0] * texcoord[0].x + c[1] * texcoord[1].x + c[2] * texcoord[2].x);
+  row = size.y * (c[0] * texcoord[0].y + c[1] * texcoord[1].y + c[2] * texcoord[2].y);
   volume = dot(v[0], c[0]);
 }
 
@@ -75,14 +76,14 @@ void main() {
     Corner corner = corners[3 * triangle + j];
     vec3 view = toView(corner);
     if (!isFinite(view) || !isFinite(vec3(corner.u, corner.v, 0))) return;
-    // u N is exact in double precision.
-    whole[j] = Vertex(view, dvec2(corner.u, corner.v) * dvec2(draws[draw].width, draws[draw].height));
+    whole[j] = Vertex(view, dvec2(corner.u, corner.v));
   }
   Vertex polygon[4];
   if (fan + 2 >= clip(whole, polygon)) return;
   Vertex part[3] = Vertex[3](polygon[0], polygon[fan + 1], polygon[fan + 2]);
   dvec3 v[3] = dvec3[3](snap(part[0].view), snap(part[1].view), snap(part[2].view));
-  setPlanes(v, dvec2[3](part[0].texel, part[1].texel, part[2].texel));
+  setPlanes(v, dvec2[3](part[0].texcoord, part[1].texcoord, part[2].texcoord),
+            dvec2(draws[draw].width, draws[draw].height));
   // z/w is near/w, which is at most 1: the device finds nothing to clip at the near plane.
   gl_Position = vec4(v[k].xy / (128 * resolution * width), near, v[k].z);
 }
