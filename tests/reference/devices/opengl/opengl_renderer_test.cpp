@@ -13,6 +13,7 @@
 #include "radiosity/scene/load_scene.h"
 #include "radiosity/solver/progressive_solver.h"
 #include "raster/base/input_error.h"
+#include "reference/conformance/calibration/calibration.h"
 #include "reference/conformance/scenes/scene_vectors.h"
 #include "reference/conformance/vectors/random_vectors.h"
 #include "reference/conformance/vectors/vector_file.h"
@@ -173,6 +174,28 @@ TEST_CASE("makeOpenGlRenderer draws holes and culls; fixed function refuses hole
           CHECK(
               !hasErrors(judge(vector, render(*makeOpenGlRenderer(vector.list, path), facesOf(vector), {}), profile)));
       }
+}
+
+TEST_CASE("makeOpenGlRenderer answers all probes, and its pixels are no errors under the profile that calibrate finds",
+          "[opengl]") {
+  if (!hasDevice()) return;
+  const reference::ProbingSet probes = reference::makeProbes();
+  for (const OpenGlPath path : {OpenGlPath::FixedFunction, OpenGlPath::Shader, OpenGlPath::Plain}) {
+    INFO("path " << static_cast<int>(path));
+    const auto drawn = [path](const TestVector& vector) {
+      return render(*makeOpenGlRenderer(vector.list, path), facesOf(vector), {});
+    };
+    std::vector<raster::ItemBuffer> answers;
+    for (const TestVector& probe : vectorsOf(probes)) answers.push_back(drawn(probe).front());
+    const reference::Calibration calibration = calibrate(probes, answers);
+    CHECK(calibration.faults.empty());
+    CHECK(calibration.profile.edgeRule == reference::EdgeRule::TopLeft);
+    for (const char* name : {"five-faces", "perspective-floor", "many-maps", "depth-stack", "sub-pixel-sheet"}) {
+      INFO(name);
+      const TestVector vector = tests::suiteVector(name);
+      CHECK(!hasErrors(judge(vector, drawn(vector), calibration.profile)));
+    }
+  }
 }
 
 TEST_CASE("makeOpenGlRenderer draws with the device of a name, and with no other", "[opengl]") {
