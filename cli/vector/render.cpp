@@ -30,10 +30,11 @@ std::set<std::string> ownFiles(const RenderOptions& options) {
 
 void renderVector(const RenderOptions& options, Context& context) {
   reference::TestVector vector = reference::readVector(options.input);
+  const bool isReference = options.device == Device::Software;
   const std::vector<raster::ItemBuffer> buffers =
-      render(*makeRenderer(vector.list, options.device, options.deviceName), facesOf(vector));
-  if (options.device != Device::Software)
-    context.console.message("drawn by " + deviceName(options.device, options.deviceName));
+      isReference ? render(vector)
+                  : render(*makeRenderer(vector.list, options.device, options.deviceName), facesOf(vector));
+  if (!isReference) context.console.message("drawn by " + deviceName(options.device, options.deviceName));
   for (std::size_t f = 0; f < buffers.size(); ++f) vector.faces[f].hash = reference::idsHash(buffers[f].ids);
   Staging staging({.place = options.output, .writer = "vector render", .replaced = ownFiles(options)});
   reference::writeVector(staging.folder(), vector, buffers);

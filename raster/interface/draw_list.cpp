@@ -47,18 +47,24 @@ ItemId upperBound(const IndexMap& map) {
   return bits;
 }
 
+/// Whether an item ID or a triangle number of a front is the background.
+bool frontReachesBackground(const DrawList& list, const Draw& draw, const std::vector<ItemId>& largestTexels) {
+  const ItemId background = backgroundId(list.format);
+  if (list.value == PixelValue::TriangleNumbers)
+    return std::uint64_t{draw.offset} + std::max(draw.count / 3, 1U) > background;
+  const auto map = static_cast<std::size_t>(draw.indexMap.value_or(0));
+  return draw.indexMap ? reachesBackground(list, draw.offset, list.indexMaps[map], largestTexels[map])
+                       : draw.offset == background;
+}
+
 void validateDraw(const DrawList& list, const Draw& draw, const std::vector<ItemId>& largestTexels,
                   const std::string& name) {
   const ItemId background = backgroundId(list.format);
   if (draw.offset > background || draw.back.value_or(0) > background)
     throw InputError(name + " has an offset or a back item ID wider than the format");
-  const auto map = static_cast<std::size_t>(draw.indexMap.value_or(0));
-  if (draw.indexMap && (*draw.indexMap < 0 || map >= list.indexMaps.size()))
+  if (draw.indexMap && (*draw.indexMap < 0 || static_cast<std::size_t>(*draw.indexMap) >= list.indexMaps.size()))
     throw InputError(name + " names an index map that does not exist");
-  const bool frontReaches = draw.indexMap
-                                ? reachesBackground(list, draw.offset, list.indexMaps[map], largestTexels[map])
-                                : draw.offset == background;
-  if (frontReaches || draw.back == background)
+  if (frontReachesBackground(list, draw, largestTexels) || draw.back == background)
     throw InputError(name + " can produce the background item ID", "use a smaller offset or a wider item ID format");
 }
 
@@ -87,6 +93,11 @@ void validate(const DrawList& list) {
       throw InputError(name + " runs over the end of the indices");
     validateDraw(list, draw, largestTexels, name);
   }
+}
+
+void requireNearest(const DrawList& list) {
+  if (list.depthTest != DepthTest::Nearer)
+    throw InputError("this renderer draws the nearest triangle and has no other depth test", "use the plain renderer");
 }
 
 }  // namespace hemitex::raster

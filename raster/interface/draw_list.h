@@ -27,6 +27,14 @@ bool hasHoles(const IndexMap& map);
 /// Which triangles of a draw do not exist: none, those that face the eye, or those that face away (version 2).
 enum class Cull : std::uint8_t { None, Front, Back };
 
+/// What the fragments of a front hold: an item ID, blended of offset and texel, or the number of their triangle
+/// (version 2). Triangles of a draw count from its offset, in the order of their indices; index maps then only have
+/// holes.
+enum class PixelValue : std::uint8_t { ItemIds, TriangleNumbers };
+
+/// Which fragments pass the depth test (version 2). The first one at a pixel always does.
+enum class DepthTest : std::uint8_t { Nearer, NearerOrEqual, Farther, FartherOrEqual };
+
 /// A run of triangles that share an offset and an index map.
 struct Draw {
   std::uint32_t first = 0;  ///< in DrawList::indices; a multiple of 3
@@ -47,10 +55,18 @@ struct DrawList {
   std::vector<Draw> draws;
   IdFormat format;
   Blend blend = Blend::ClampedAdd;
+  PixelValue value = PixelValue::ItemIds;
+  DepthTest depthTest = DepthTest::Nearer;
 };
+
+/// The value of triangle `t` of a draw whose pixels hold triangle numbers.
+inline ItemId triangleNumber(const Draw& draw, std::uint32_t t) { return draw.offset + (t - draw.first / 3); }
 
 /// Throws InputError if the list breaks a rule: an index or a run out of range, an index map of the wrong size, an item
 /// ID wider than the format, or a draw that can produce the background. Holes are no item IDs.
 void validate(const DrawList& list);
+
+/// Throws InputError if pixels show another triangle than the nearest one. Only PlainRenderer draws such lists.
+void requireNearest(const DrawList& list);
 
 }  // namespace hemitex::raster

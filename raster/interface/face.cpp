@@ -10,10 +10,12 @@ namespace {
 
 bool isFinite(const glm::vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
-bool isInside(const Scissor& scissor, int resolution) {
+bool isInside(const Scissor& scissor, const Viewport& viewport) {
   return scissor.column >= 0 && scissor.row >= 0 && scissor.width > 0 && scissor.height > 0 &&
-         scissor.width <= resolution - scissor.column && scissor.height <= resolution - scissor.row;
+         scissor.width <= viewport.columns - scissor.column && scissor.height <= viewport.rows - scissor.row;
 }
+
+bool isSide(int pixels) { return pixels >= 1 && pixels <= maxSide; }
 
 }  // namespace
 
@@ -29,9 +31,19 @@ void validate(const Face& face) {
     throw InputError("a face's rows x, y, w do not span space (their determinant is zero or not finite)");
   if (!(face.nearDistance > 0) || !std::isfinite(face.nearDistance))
     throw InputError("a face's near distance is not a positive number");
-  if (face.resolution < 2 || face.resolution > 4096 || face.resolution % 2 != 0)
+  if (face.viewport && !(isSide(face.viewport->columns) && isSide(face.viewport->rows)))
+    throw InputError("a face's viewport is too small or too large", "use 1 to 16384 columns and rows");
+  if (!face.viewport && (face.resolution < 2 || face.resolution > 4096 || face.resolution % 2 != 0))
     throw InputError("a face's resolution is " + std::to_string(face.resolution), "use an even number from 2 to 4096");
-  if (!isInside(face.scissor, face.resolution)) throw InputError("a face's scissor rectangle leaves its viewport");
+  if (!isInside(face.scissor, viewportOf(face))) throw InputError("a face's scissor rectangle leaves its viewport");
+}
+
+bool isUsual(const Face& face) { return !face.viewport && face.sample == SamplePlace::Middle; }
+
+void requireUsual(const Face& face) {
+  if (!isUsual(face))
+    throw InputError("this renderer draws square viewports with samples in the middle of pixels",
+                     "use the plain renderer");
 }
 
 }  // namespace hemitex::raster

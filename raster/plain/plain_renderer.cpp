@@ -12,8 +12,7 @@ void append(std::vector<SnappedTriangle>& triangles, const DrawList& list, const
   const ClippedPolygon polygon = clip(face, list, t);
   for (std::size_t k = 2; k < polygon.count; ++k) {
     const auto& [a, b, c] = fanTriangle(polygon, k);
-    SnappedTriangle triangle = snappedTriangle(
-        face, {a, b, c}, {snap(a, face.resolution), snap(b, face.resolution), snap(c, face.resolution)});
+    SnappedTriangle triangle = snappedTriangle(face, {a, b, c}, {snap(face, a), snap(face, b), snap(face, c)});
     triangle.draw = draw;
     triangle.number = t;
     triangle.piece = static_cast<int>(k) - 2;
@@ -59,7 +58,7 @@ std::vector<CoveredSample> visibleSamples(const DrawList& list, std::span<const 
         const auto pixel = static_cast<std::size_t>((row - scissor.row) * scissor.width + column - scissor.column);
         const CoveredSample sample = coveredSample(triangle, weights);
         // A hole is looked up only where it would be seen, which gives the same pixels.
-        const bool isSeen = !visible[pixel].triangle || isNearer(sample, visible[pixel]);
+        const bool isSeen = !visible[pixel].triangle || passes(list.depthTest, sample, visible[pixel], isNearer);
         if (isSeen && !isHole(list, sample)) visible[pixel] = sample;
       }
   }

@@ -141,7 +141,8 @@ struct SnappedPoint {
   std::int64_t x, y;
 };
 
-/// The place of q = x/w or y/w in units of 1/256 pixel, not yet rounded. The clamp removes the rounding error of
+/// The place of q = x/w or y/w in units of 1/256 pixel, not yet rounded. `resolution` is the number of pixels of the
+/// viewport along that axis. The clamp removes the rounding error of
 /// clipping.
 inline double subPixels(double q, int resolution) {
   return (std::clamp(q, -guardBand, guardBand) + 1) * (128.0 * resolution);
@@ -153,6 +154,14 @@ inline std::int64_t snap(double q, int resolution) {
 
 inline SnappedPoint snap(const ViewVertex& p, int resolution) {
   return {snap(p.x / p.w, resolution), snap(p.y / p.w, resolution)};
+}
+
+/// The corner of a triangle on the picture of a face. Samples at the corners of pixels are the same as samples in the
+/// middle of a picture that is moved by half a pixel.
+inline SnappedPoint snap(const Face& face, const ViewVertex& p) {
+  const Viewport viewport = viewportOf(face);
+  const std::int64_t moved = face.sample == SamplePlace::Corner ? 128 : 0;
+  return {snap(p.x / p.w, viewport.columns) + moved, snap(p.y / p.w, viewport.rows) + moved};
 }
 
 /// The sample of a pixel is its centre. Rows count in memory order: row 0 is at y = -w.
@@ -297,6 +306,22 @@ inline bool isNearer(const CoveredSample& a, const CoveredSample& b) {
   return std::abs(difference) > roundingError * a.inverseDepth ? difference > 0 : isNearerExactly(a, b);
 }
 
+/// Whether a fragment passes the depth test of a list against the one that its pixel shows. `nearer(x, y)` tells
+/// whether x is nearer than y.
+template <typename Sample, typename Nearer>
+bool passes(DepthTest test, const Sample& fragment, const Sample& shown, const Nearer& nearer) {
+  switch (test) {
+    case DepthTest::Nearer:
+      return nearer(fragment, shown);
+    case DepthTest::NearerOrEqual:
+      return !nearer(shown, fragment);
+    case DepthTest::Farther:
+      return nearer(shown, fragment);
+    default:
+      return !nearer(fragment, shown);
+  }
+}
+
 int texelExactly(const CoveredSample& sample, double ViewVertex::*coordinate, int size);
 
 /// The column or row of the texel at a coordinate: floor(u N), clamped to the map.
@@ -343,10 +368,11 @@ inline bool isHole(const DrawList& list, const CoveredSample& sample) {
 
 // ------------------------------------------------------------------------------------------------------------ 7. blend
 
-/// The texel that gives a sample its item ID; none without an index map, or on a back.
+/// The texel that gives a sample its item ID; none without an index map, on a back, or for a triangle number.
 inline std::optional<Texel> texelOf(const DrawList& list, const CoveredSample& sample) {
   const Draw& draw = list.draws[sample.triangle->draw];
-  if (!draw.indexMap || (sample.triangle->facesAway && draw.back)) return {};
+  const bool isTextured = draw.indexMap && list.value == PixelValue::ItemIds;
+  if (!isTextured || (sample.triangle->facesAway && draw.back)) return {};
   return texelIn(mapOf(list, draw), sample);
 }
 
@@ -354,8 +380,9 @@ inline std::optional<Texel> texelOf(const DrawList& list, const CoveredSample& s
 /// adds channel by channel, min(offset + index, maximum), as a blend unit does.
 inline ItemId itemId(const DrawList& list, const SnappedTriangle& triangle, const std::optional<Texel>& texel) {
   const Draw& draw = list.draws[triangle.draw];
-  if (texel) return blend(list.format, list.blend, draw.offset, indexAt(list, draw, *texel));
-  return triangle.facesAway && draw.back ? *draw.back : draw.offset;
+  if (triangle.facesAway && draw.back) return *draw.back;
+  if (list.value == PixelValue::TriangleNumbers) return triangleNumber(draw, triangle.number);
+  return texel ? blend(list.format, list.blend, draw.offset, indexAt(list, draw, *texel)) : draw.offset;
 }
 
 }  // namespace hemitex::raster

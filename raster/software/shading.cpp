@@ -15,8 +15,8 @@ std::optional<ItemId> addendOf(const PreparedDrawList& draws, const Draw& draw) 
 Shading shadingOf(const PreparedDrawList& draws, const ScreenTriangle& triangle) {
   const DrawList& list = draws.list;
   const Draw& draw = list.draws[triangle.draw];
-  if (triangle.facesAway && draw.back) return {*draw.back, {}};
-  if (!draw.indexMap) return {draw.offset, {}};
+  if (!isTextured(list, draw, triangle.facesAway))
+    return {idOf(draws, draw, triangle.number, triangle.facesAway, 0), {}};
   const IndexMap& map = list.indexMaps[static_cast<std::size_t>(*draw.indexMap)];
   const PreparedDrawList::MapTraits& traits = draws.maps[static_cast<std::size_t>(*draw.indexMap)];
   const std::optional<ItemId> addend = addendOf(draws, draw);
@@ -26,8 +26,9 @@ Shading shadingOf(const PreparedDrawList& draws, const ScreenTriangle& triangle)
           &map, addend.has_value(), addend && traits.countsTexels, TexelPlanes(triangle, map.width, map.height), {}}};
 }
 
-ItemId idOf(const PreparedDrawList& draws, const Draw& draw, bool facesAway, ItemId texel) {
+ItemId idOf(const PreparedDrawList& draws, const Draw& draw, std::uint32_t t, bool facesAway, ItemId texel) {
   if (facesAway && draw.back) return *draw.back;
+  if (draws.list.value == PixelValue::TriangleNumbers) return triangleNumber(draw, t);
   if (!draw.indexMap) return draw.offset;
   const auto map = static_cast<std::size_t>(*draw.indexMap);
   const ItemId value = draws.maps[map].countsTexels ? texel : draws.list.indexMaps[map].ids[texel];

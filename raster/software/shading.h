@@ -33,8 +33,14 @@ std::optional<ItemId> addendOf(const PreparedDrawList& draws, const Draw& draw);
 /// The shading of a screen triangle.
 Shading shadingOf(const PreparedDrawList& draws, const ScreenTriangle& triangle);
 
-/// The item ID of a pixel that shows a draw; `texel` is the number of the texel if the draw has an index map.
-ItemId idOf(const PreparedDrawList& draws, const Draw& draw, bool facesAway, ItemId texel);
+/// The item ID of a pixel that shows triangle `t` of a draw; `texel` is the number of the texel if the draw has an
+/// index map.
+ItemId idOf(const PreparedDrawList& draws, const Draw& draw, std::uint32_t t, bool facesAway, ItemId texel);
+
+/// Whether pixels get their item IDs from texels.
+inline bool isTextured(const DrawList& list, const Draw& draw, bool facesAway) {
+  return draw.indexMap && !(facesAway && draw.back) && list.value == PixelValue::ItemIds;
+}
 
 /// The number of the texel at a sample, computed exactly.
 ItemId texelExactly(const ScreenTriangle& triangle, const IndexMap& map, const Pixel& pixel);

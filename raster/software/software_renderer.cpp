@@ -39,7 +39,10 @@ const DrawList& SoftwareRenderer::drawList() const { return scene_->draws.list; 
 
 void SoftwareRenderer::draw(std::span<const Face> faces, std::span<const std::uint32_t> skipped,
                             std::vector<ItemBuffer>& buffers, const std::function<void(std::size_t)>& drawn) {
-  for (const Face& face : faces) validate(face);
+  for (const Face& face : faces) {
+    validate(face);
+    requireUsual(face);
+  }
   buffers.resize(faces.size());
   parallelFor(faces.size(), [&](std::size_t f) {
     scene_->drawFace(faces[f], skipped, buffers[f]);

@@ -202,8 +202,11 @@ SmallIds Tile::smallIds(const Cluster& cluster, const ClusterPart& part, std::ui
     const bool facesAway = ((setup.negative >> k & 1) != 0) == isMirrored_;
     if (isCulled(draw, facesAway)) {
       setup.rows[k] = 0;
-    } else if (!draw.indexMap || (facesAway && draw.back) || (setup.uniform >> k & 1) != 0) {
-      ids.ids[k] = idOf(draws_, draw, facesAway, static_cast<ItemId>(setup.texel[k]));
+    } else if (!isTextured(draws_.list, draw, facesAway) || (setup.uniform >> k & 1) != 0) {
+      const bool isNumbered = draws_.list.value == PixelValue::TriangleNumbers;
+      const std::uint32_t t =
+          isNumbered ? triangleOf(cluster, static_cast<std::uint32_t>(setup.triangles[k])).first : 0;
+      ids.ids[k] = idOf(draws_, draw, t, facesAway, static_cast<ItemId>(setup.texel[k]));
     } else if (const std::optional<ItemId> addend = addendOf(draws_, draw)) {
       ids.textured |= 1U << k;
       ids.ids[k] = *addend;
@@ -254,7 +257,7 @@ ItemId Tile::idExactly(std::uint32_t number, const Pixel& pixel) {
   const ScreenTriangle triangle = screenTriangle(number);
   const Draw& draw = draws_.list.draws[triangle.draw];
   const IndexMap& map = draws_.list.indexMaps[static_cast<std::size_t>(*draw.indexMap)];
-  return idOf(draws_, draw, triangle.facesAway, texelExactly(triangle, map, pixel));
+  return idOf(draws_, draw, triangle.number, triangle.facesAway, texelExactly(triangle, map, pixel));
 }
 
 Shading& Tile::shading(std::uint32_t triangle) {

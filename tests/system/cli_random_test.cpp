@@ -77,6 +77,30 @@ TEST_CASE("hemitex vector random writes the same bytes again, and one family wit
     CHECK(files.count(name + std::string("/vector.json")) == 1);
 }
 
+TEST_CASE("hemitex vector checks, renders and explains random vectors of version 2", "[cli]") {
+  for (const reference::RandomFamily& family : reference::newRandomFamilies()) {
+    const TemporaryFolder folder;
+    const std::string name = family.name, first = "made/" + name + "-3";
+    INFO(name);
+    REQUIRE(run(folder, "vector random --seed 3 --count 5 --family " + name + " -o made").exitCode == 0);
+    const Outcome check = run(folder, "vector check made --candidate made --exact");
+    INFO(check.out << check.err);
+    CHECK(check.exitCode == 0);
+    CHECK(run(folder, "vector render " + first + " --stages -o drawn").exitCode == 0);
+    const reference::TestVector vector = reference::readVector(folder.path / first);
+    CHECK(raster::readFile(folder.path / first / "vector.json").find("\"rules\": 2") != std::string::npos);
+    const fs::path ids = vector.faces[0].ids;
+    CHECK(raster::readFile(folder.path / "drawn" / ids) == raster::readFile(folder.path / first / ids));
+    const raster::Scissor& scissor = vector.faces[0].face.scissor;
+    const std::string pixel = std::to_string(scissor.column) + "," + std::to_string(scissor.row);
+    const Outcome explained =
+        run(folder, "vector explain " + first + " --json --pixel " + vector.faces[0].name + "," + pixel);
+    INFO(explained.err);
+    REQUIRE(explained.exitCode == 0);
+    CHECK(json::parse(explained.out)["word"] == reference::render(vector)[0].ids[0]);
+  }
+}
+
 TEST_CASE("hemitex vector random refuses unknown families and missing options, and writes nothing", "[cli]") {
   const TemporaryFolder folder;
   const Outcome unknown = run(folder, "vector random --seed 1 --count 2 --family splinters -o made");

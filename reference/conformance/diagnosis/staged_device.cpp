@@ -15,12 +15,14 @@ using raster::SnappedTriangle;
 /// The triangles of a list in draw order.
 std::vector<SnappedTriangle> placeBy(const StagedGeometry& geometry, const raster::DrawList& list,
                                      const raster::Face& face) {
+  const raster::Viewport viewport = raster::viewportOf(face);
+  const double moved = face.sample == raster::SamplePlace::Corner ? 128 : 0;
   const auto snap = [&](const raster::ViewVertex& p) {
-    const auto place = [&](double q) {
-      return static_cast<std::int64_t>(geometry.snap(raster::subPixels(q, face.resolution)) *
+    const auto place = [&](double q, int pixels) {
+      return static_cast<std::int64_t>((geometry.snap(raster::subPixels(q, pixels)) + moved) *
                                        static_cast<double>(geometry.fineness));
     };
-    return raster::SnappedPoint{place(p.x / p.w), place(p.y / p.w)};
+    return raster::SnappedPoint{place(p.x / p.w, viewport.columns), place(p.y / p.w, viewport.rows)};
   };
   const auto isAhead = [](const raster::ViewVertex& p) { return p.w > 0; };
   std::vector<SnappedTriangle> triangles;
@@ -64,12 +66,14 @@ std::optional<ItemId> shade(const StagedDevice& device, const UploadedList& uplo
                             Facing facing, const raster::SnappedPoint& position) {
   const raster::DrawList& list = uploaded.list;
   const raster::Draw& draw = list.draws[triangle.draw];
-  const bool showsBack = facing == Facing::Back && draw.back;
-  if (!draw.indexMap || (showsBack && !uploaded.hasHoles)) return showsBack ? *draw.back : draw.offset;
+  const bool showsBack = facing == Facing::Back && draw.back,
+             isNumbered = list.value == raster::PixelValue::TriangleNumbers;
+  const ItemId flat = showsBack ? *draw.back : isNumbered ? triangleNumber(draw, triangle.number) : draw.offset;
+  if (!draw.indexMap || ((showsBack || isNumbered) && !uploaded.hasHoles)) return flat;
   const Lookup lookup{triangle, position, held(device.interpolate(triangle, position))};
   const ItemId texel = device.fetch(list, static_cast<std::size_t>(*draw.indexMap), lookup);
   if (uploaded.hasHoles && texel == raster::holeTexel) return {};
-  return showsBack ? *draw.back : device.blend(list, draw.offset, texel);
+  return showsBack || isNumbered ? flat : device.blend(list, draw.offset, texel);
 }
 
 /// Whether the triangle covers a position, in sub-pixels over `unit`.
@@ -129,7 +133,7 @@ void drawTriangle(const StagedDevice& device, const UploadedList& uploaded, cons
         Sample& sample = target[static_cast<std::size_t>(pixel) * device.samples.size() + s];
         const double depth =
             device.depth(coveredSample(triangle, weights).inverseDepth, static_cast<double>(view.nearDistance)) + bias;
-        if (sample.depth && !device.passes(depth, *sample.depth)) continue;
+        if (sample.depth && !passes(uploaded.list.depthTest, depth, *sample.depth, device.passes)) continue;
         const raster::SnappedPoint shaded = device.shadesSamples ? position : inPixel(device.shadingSample);
         if (const auto id = shade(device, uploaded, triangle, facing, shaded))
           sample = {depth, device.store(sample.id, *id)};
@@ -144,7 +148,7 @@ std::vector<SnappedTriangle> placeFace(const StagedDevice& device, const raster:
 
 bool isSameView(const raster::Face& a, const raster::Face& b) {
   return a.eye == b.eye && a.x == b.x && a.y == b.y && a.w == b.w && a.nearDistance == b.nearDistance &&
-         a.resolution == b.resolution;
+         a.resolution == b.resolution && a.viewport == b.viewport && a.sample == b.sample;
 }
 
 /// Whether the draws take the same triangles in the same order.
@@ -160,6 +164,8 @@ raster::Face viewOf(const StagedDevice& device, const std::vector<raster::Face>&
   if (!device.camera) return faces[f];
   raster::Face view = device.camera(faces, f);
   view.resolution = faces[f].resolution;
+  view.viewport = faces[f].viewport;
+  view.sample = faces[f].sample;
   view.scissor = faces[f].scissor;
   return view;
 }

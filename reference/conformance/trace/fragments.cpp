@@ -37,7 +37,13 @@ std::vector<Fragment> fragmentsAt(const raster::DrawList& list, std::span<const 
     const raster::CoveredSample sample = coveredSample(triangle, weights);
     if (!isHole(list, sample)) covered.push_back(sample);
   }
-  std::stable_sort(covered.begin(), covered.end(), raster::isNearer);
+  using raster::DepthTest;
+  const bool keepsLast = list.depthTest == DepthTest::NearerOrEqual || list.depthTest == DepthTest::FartherOrEqual;
+  const bool isReversed = list.depthTest == DepthTest::Farther || list.depthTest == DepthTest::FartherOrEqual;
+  if (keepsLast) std::reverse(covered.begin(), covered.end());
+  std::stable_sort(covered.begin(), covered.end(), [=](const raster::CoveredSample& a, const raster::CoveredSample& b) {
+    return isReversed ? isNearer(b, a) : isNearer(a, b);
+  });
   std::vector<Fragment> fragments;
   for (const raster::CoveredSample& sample : covered) fragments.push_back(fragmentOf(list, sample));
   return fragments;

@@ -38,7 +38,9 @@ std::vector<DrawnTriangle> drawnTriangles(const raster::DrawList& list);
 /// Numbers of a sample that a triangle covers.
 Fragment fragmentOf(const raster::DrawList& list, const raster::CoveredSample& sample);
 
-/// The fragments at pixel (column, row) of the viewport, nearest first, ties in draw order; none at a background pixel.
+/// The fragments at pixel (column, row) of the viewport; none at a background pixel. The visible one comes first, then
+/// the one that would be visible without it, and so on: nearest first, ties in draw order, unless the list has another
+/// depth test.
 /// `triangles` are those of the face (raster::snappedTriangles).
 std::vector<Fragment> fragmentsAt(const raster::DrawList& list, std::span<const raster::SnappedTriangle> triangles,
                                   int column, int row);

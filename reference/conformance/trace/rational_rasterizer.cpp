@@ -54,11 +54,11 @@ std::vector<Attributes> clip(std::vector<Attributes> polygon, double n) {
 using Point = glm::i64vec2;
 
 /// The snapped position.
-Point snap(const Attributes& p, int resolution) {
-  const auto coordinate = [&](double q) {
-    return static_cast<std::int64_t>(std::nearbyint((std::clamp(q, -8.0, 8.0) + 1) * (128.0 * resolution)));
+Point snap(const Attributes& p, const raster::Viewport& viewport) {
+  const auto coordinate = [&](double q, int pixels) {
+    return static_cast<std::int64_t>(std::nearbyint((std::clamp(q, -8.0, 8.0) + 1) * (128.0 * pixels)));
   };
-  return {coordinate(p[X] / p[W]), coordinate(p[Y] / p[W])};
+  return {coordinate(p[X] / p[W], viewport.columns), coordinate(p[Y] / p[W], viewport.rows)};
 }
 
 std::int64_t cross(const Point& a, const Point& b) { return a.x * b.y - a.y * b.x; }
@@ -70,7 +70,8 @@ struct Triangle {
   std::array<Point, 3> snapped;
   std::int64_t area;  ///< doubled, signed
   bool isBack;
-  bool hasHoles;  ///< in its index map
+  bool hasHoles;          ///< in its index map
+  raster::ItemId number;  ///< in its draw
 };
 
 /// The sign of the area that `sample`, moved by (epsilon, epsilon^2), spans with the edge from a to b.
@@ -140,26 +141,34 @@ raster::ItemId fetch(const raster::DrawList& list, const Triangle& triangle, con
 raster::ItemId idAt(const raster::DrawList& list, const Triangle& triangle, const Point& sample) {
   const raster::Draw& draw = *triangle.draw;
   if (triangle.isBack && draw.back) return *draw.back;
+  if (list.value == raster::PixelValue::TriangleNumbers) return draw.offset + triangle.number;
   if (!draw.indexMap) return draw.offset;
   return blend(list, draw.offset, fetch(list, triangle, sample));
 }
 
-/// The item ID of the nearest triangle that covers a sample.
+/// The depth test of two values of 1/w.
+bool passes(raster::DepthTest test, const Rational& incoming, const Rational& stored) {
+  if (test == raster::DepthTest::Nearer) return incoming > stored;
+  if (test == raster::DepthTest::NearerOrEqual) return incoming >= stored;
+  return test == raster::DepthTest::Farther ? incoming < stored : incoming <= stored;
+}
+
+/// The item ID of the triangle that a sample shows.
 raster::ItemId idAt(const raster::DrawList& list, const std::vector<Triangle>& triangles, const Point& sample) {
-  const Triangle* nearest = nullptr;
-  std::optional<Rational> nearestInverseDepth;  // known once two triangles compete
+  const Triangle* shown = nullptr;
+  std::optional<Rational> stored;  // 1/w, known once two triangles compete
   for (const Triangle& triangle : triangles) {
     if (!isCovered(triangle, sample)) continue;
     if (triangle.hasHoles && fetch(list, triangle, sample) == 0xFFFFFFFF) continue;
-    if (nearest != nullptr) {
-      if (!nearestInverseDepth) nearestInverseDepth = sum(weightsOverDepth(*nearest, sample));
+    if (shown != nullptr) {
+      if (!stored) stored = sum(weightsOverDepth(*shown, sample));
       const Rational inverseDepth = sum(weightsOverDepth(triangle, sample));
-      if (inverseDepth <= *nearestInverseDepth) continue;
-      nearestInverseDepth = inverseDepth;
+      if (!passes(list.depthTest, inverseDepth, *stored)) continue;
+      stored = inverseDepth;
     }
-    nearest = &triangle;
+    shown = &triangle;
   }
-  return nearest ? idAt(list, *nearest, sample) : raster::backgroundId(list.format);
+  return shown ? idAt(list, *shown, sample) : raster::backgroundId(list.format);
 }
 
 bool isFinite(const Attributes& p) {
@@ -184,8 +193,9 @@ std::vector<Triangle> trianglesOf(const raster::DrawList& list, const raster::Fa
       if (!std::all_of(polygon.begin(), polygon.end(), isFinite)) continue;
       polygon = clip(polygon, face.nearDistance);
       for (std::size_t k = 2; k < polygon.size(); ++k) {
-        Triangle triangle{&draw, {polygon[0], polygon[k - 1], polygon[k]}, {}, 0, false, hasHoles};
-        for (std::size_t c = 0; c < 3; ++c) triangle.snapped[c] = snap(triangle.vertices[c], face.resolution);
+        Triangle triangle{
+            &draw, {polygon[0], polygon[k - 1], polygon[k]}, {}, 0, false, hasHoles, (first - draw.first) / 3};
+        for (std::size_t c = 0; c < 3; ++c) triangle.snapped[c] = snap(triangle.vertices[c], raster::viewportOf(face));
         triangle.area = cross(triangle.snapped[1] - triangle.snapped[0], triangle.snapped[2] - triangle.snapped[0]);
         triangle.isBack = sign(triangle.area) == (raster::determinant(face) > 0 ? 1 : -1);
         if (triangle.area != 0 && !isCulled(draw, triangle.isBack)) triangles.push_back(triangle);
@@ -205,10 +215,11 @@ raster::ItemBuffer evaluateRules(const raster::DrawList& list, const raster::Fac
   raster::ItemBuffer buffer;
   buffer.resize(face.scissor);
   const auto width = static_cast<std::size_t>(buffer.width);
+  const std::int64_t middle = face.sample == raster::SamplePlace::Middle ? 128 : 0;
   raster::parallelFor(static_cast<std::size_t>(buffer.height), [&](std::size_t row) {
     for (std::size_t column = 0; column < width; ++column) {
       const Point pixel(face.scissor.column + static_cast<int>(column), face.scissor.row + static_cast<int>(row));
-      buffer.ids[row * width + column] = idAt(list, triangles, std::int64_t{256} * pixel + std::int64_t{128});
+      buffer.ids[row * width + column] = idAt(list, triangles, std::int64_t{256} * pixel + middle);
     }
   });
   return buffer;

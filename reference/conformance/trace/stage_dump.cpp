@@ -27,8 +27,8 @@ bool isCut(const Vertices& vertices, double nearDistance) {
                      [&](raster::ClipPlane plane) { return raster::cuts(plane, vertices, nearDistance); });
 }
 
-glm::ivec2 onGrid(const ViewVertex& vertex, int resolution) {
-  const raster::SnappedPoint snapped = raster::snap(vertex, resolution);
+glm::ivec2 onGrid(const raster::Face& face, const ViewVertex& vertex) {
+  const raster::SnappedPoint snapped = raster::snap(face, vertex);
   return {snapped.x, snapped.y};
 }
 
@@ -37,7 +37,7 @@ void addVertices(const raster::DrawList& list, const raster::Face& face, Stages&
     const ViewVertex vertex = raster::view(face, list.positions[v], list.texcoords[v]);
     const bool isInside = raster::isFinite(vertex) && !isCut(std::array{vertex}, face.nearDistance);
     stages.view.push_back({vertex.x, vertex.y, vertex.w});
-    stages.snapped.push_back(isInside ? onGrid(vertex, face.resolution) : glm::ivec2(notSnapped));
+    stages.snapped.push_back(isInside ? onGrid(face, vertex) : glm::ivec2(notSnapped));
   }
 }
 
@@ -49,8 +49,7 @@ void addPieces(const raster::DrawList& list, const raster::Face& face, Stages& s
     for (std::size_t k = 2; k < polygon.count; ++k) {
       const auto& [a, b, c] = stages.pieceCorners.emplace_back(fanTriangle(polygon, k));
       stages.pieceTriangles.push_back(static_cast<std::int32_t>(t));
-      stages.pieceSnapped.push_back(
-          {onGrid(a, face.resolution), onGrid(b, face.resolution), onGrid(c, face.resolution)});
+      stages.pieceSnapped.push_back({onGrid(face, a), onGrid(face, b), onGrid(face, c)});
     }
   }
 }

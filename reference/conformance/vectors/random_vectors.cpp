@@ -441,7 +441,7 @@ Drawing alignedIds(Random& random) {
       random, format, raster::Blend::ClampedAdd, [&] { return texel++; }, offset);
 }
 
-// --- version 2: holes and culling ---
+// --- version 2 ---
 
 /// Makes a third of all texels holes.
 void punch(Drawing& drawing, Random& random) {
@@ -480,6 +480,47 @@ Drawing twoSided(Random& random) {
   punch(drawing, random);
   drawing.faces.push_back(drawing.faces[0]);
   drawing.faces[1].x = -drawing.faces[1].x;
+  return drawing;
+}
+
+/// Triangles of other families in two draws, numbered; some in maps with holes.
+Drawing triangleNumbers(Random& random) {
+  const auto family =
+      random.oneOf({generic, slivers, nearPlane, guardBand, equalDepths, facing, views, sharedVertices});
+  Drawing drawing = family(random);
+  if (random.isOneIn(2)) punch(drawing, random);
+  drawing.list.value = raster::PixelValue::TriangleNumbers;
+  std::vector<raster::Draw>& draws = drawing.list.draws;
+  draws.resize(2);
+  draws[0].count = 3 * (1 + random.below(static_cast<std::uint32_t>(drawing.list.indices.size()) / 3 - 1));
+  draws[1].first = draws[0].count;
+  draws[1].count = static_cast<std::uint32_t>(drawing.list.indices.size()) - draws[1].first;
+  draws[1].cull = random.oneOf({raster::Cull::None, raster::Cull::Front, raster::Cull::Back});
+  return drawing;
+}
+
+/// Other families with a depth test that is not the usual one.
+Drawing depthTests(Random& random) {
+  const auto family = random.oneOf({generic, nearPlane, depthRatios, depthTies, equalDepths, closeDepths, views});
+  Drawing drawing = family(random);
+  drawing.list.depthTest =
+      random.oneOf({raster::DepthTest::NearerOrEqual, raster::DepthTest::Farther, raster::DepthTest::FartherOrEqual});
+  if (random.isOneIn(2)) punch(drawing, random);
+  return drawing;
+}
+
+/// Other families in viewports that are no squares, with samples in the middle or at the corner of pixels.
+Drawing viewports(Random& random) {
+  const auto family = random.oneOf({generic, slivers, sampleTies, nearPlane, guardBand, texelBorders, facing});
+  Drawing drawing = family(random);
+  const auto place = random.oneOf({raster::SamplePlace::Middle, raster::SamplePlace::Corner});
+  const int columns = random.between(1, 24);
+  const raster::Viewport viewport{columns, random.between(1, 24)};
+  for (raster::Face& face : drawing.faces) {
+    face.viewport = viewport;
+    face.sample = place;
+    face.scissor = {0, 0, viewport.columns, viewport.rows};
+  }
   return drawing;
 }
 
@@ -524,7 +565,10 @@ const std::vector<RandomFamily>& newRandomFamilies() {
   static const std::vector<RandomFamily> families{
       {"holes", "holes that hide what is behind them, or that are filled", holes},
       {"culled-sides", "culled triangles that are drawn, and the wrong side culled", culledSides},
-      {"two-sided", "a side in the place of its other side", twoSided}};
+      {"two-sided", "a side in the place of its other side", twoSided},
+      {"triangle-numbers", "numbers of other triangles or of another draw", triangleNumbers},
+      {"depth-tests", "the order of depths, also of equal ones, and the depth clear", depthTests},
+      {"viewports", "viewports that are no squares, and samples half a pixel off", viewports}};
   return families;
 }
 

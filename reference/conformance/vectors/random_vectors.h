@@ -57,7 +57,7 @@ struct RandomFamily {
 
 /// All families of version 1 of the rules, in a fixed order, with unique names.
 const std::vector<RandomFamily>& randomFamilies();
-/// Those of version 2, with holes and culling.
+/// Those of version 2.
 const std::vector<RandomFamily>& newRandomFamilies();
 
 /// The vector of a seed, with the name FAMILY-SEED. Throws InputError with all names for an unknown family.

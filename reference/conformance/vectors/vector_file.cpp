@@ -14,6 +14,7 @@
 #include "raster/base/input_error.h"
 #include "raster/base/memory_budget.h"
 #include "raster/base/short_number.h"
+#include "raster/plain/plain_renderer.h"
 #include "raster/software/software_renderer.h"
 #include "reference/base/json_text.h"
 #include "reference/conformance/vectors/array_file.h"
@@ -102,10 +103,31 @@ constexpr std::array<Named<raster::Blend>, 3> blendNames{{{raster::Blend::Clampe
 constexpr std::array<Named<raster::Cull>, 3> cullNames{
     {{raster::Cull::None, "none"}, {raster::Cull::Front, "front"}, {raster::Cull::Back, "back"}}};
 
-/// The first version of the rules that has all that a list uses.
-int rulesOf(const raster::DrawList& list) {
+constexpr std::array<Named<raster::PixelValue>, 2> valueNames{
+    {{raster::PixelValue::ItemIds, "item-ids"}, {raster::PixelValue::TriangleNumbers, "triangle-numbers"}}};
+
+constexpr std::array<Named<raster::DepthTest>, 4> depthTestNames{
+    {{raster::DepthTest::Nearer, "nearer"},
+     {raster::DepthTest::NearerOrEqual, "nearer-or-equal"},
+     {raster::DepthTest::Farther, "farther"},
+     {raster::DepthTest::FartherOrEqual, "farther-or-equal"}}};
+
+constexpr std::array<Named<raster::SamplePlace>, 2> sampleNames{
+    {{raster::SamplePlace::Middle, "middle"}, {raster::SamplePlace::Corner, "corner"}}};
+
+/// Whether only PlainRenderer draws a vector.
+bool isPlainOnly(const TestVector& vector) {
+  return vector.list.depthTest != raster::DepthTest::Nearer ||
+         std::any_of(vector.faces.begin(), vector.faces.end(),
+                     [](const VectorFace& face) { return !isUsual(face.face); });
+}
+
+/// The first version of the rules that has all that a vector uses.
+int rulesOf(const TestVector& vector) {
+  const raster::DrawList& list = vector.list;
   const auto culls = [](const raster::Draw& draw) { return draw.cull != raster::Cull::None; };
-  const bool isNew = std::any_of(list.indexMaps.begin(), list.indexMaps.end(), raster::hasHoles) ||
+  const bool isNew = isPlainOnly(vector) || list.value != raster::PixelValue::ItemIds ||
+                     std::any_of(list.indexMaps.begin(), list.indexMaps.end(), raster::hasHoles) ||
                      std::any_of(list.draws.begin(), list.draws.end(), culls);
   return isNew ? 2 : 1;
 }
@@ -156,8 +178,21 @@ raster::Draw readDraw(const Json& json, MapFiles& files, std::vector<raster::Ind
 
 raster::Scissor readScissor(const Json& json) {
   const Json& list = toList(json, "scissor", 4);
-  const auto entry = [&](std::size_t k) { return static_cast<int>(toInteger(list[k], "scissor", 0, 4096)); };
+  const auto entry = [&](std::size_t k) { return static_cast<int>(toInteger(list[k], "scissor", 0, raster::maxSide)); };
   return {entry(0), entry(1), entry(2), entry(3)};
+}
+
+/// A number of pixels along both sides, or, in version 2, the numbers of columns and rows.
+void readResolution(const Json& json, raster::Face& face) {
+  const auto pixels = [](const Json& value, int low, int high) {
+    return static_cast<int>(toInteger(value, "resolution", low, high));
+  };
+  if (!json.is_array()) {
+    face.resolution = pixels(json, 2, 4096);
+  } else {
+    const Json& sides = toList(json, "resolution", 2);
+    face.viewport = raster::Viewport{pixels(sides[0], 1, raster::maxSide), pixels(sides[1], 1, raster::maxSide)};
+  }
 }
 
 VectorFace readFace(const Json& vector, const Json& json) {
@@ -171,7 +206,8 @@ VectorFace readFace(const Json& vector, const Json& json) {
   face.face.y = toVector(at(json, "y"), "y");
   face.face.w = toVector(at(json, "w"), "w");
   face.face.nearDistance = toFloat(at(vector, "near"), "near");
-  face.face.resolution = static_cast<int>(toInteger(at(vector, "resolution"), "resolution", 2, 4096));
+  readResolution(at(vector, "resolution"), face.face);
+  face.face.sample = valueOf(sampleNames, toOptional(vector, "sample", toText).value_or("middle"), "sample");
   face.face.scissor = readScissor(at(json, "scissor"));
   return face;
 }
@@ -187,6 +223,8 @@ TestVector readJson(const filesystem::path& folder, const Json& json) {
   for (const Json& bits : toList(at(json, "channels"), "channels"))
     list.format.channelBits.push_back(static_cast<int>(toInteger(bits, "channels", 1, 32)));
   list.blend = valueOf(blendNames, toText(at(json, "blend"), "blend"), "blend");
+  list.value = valueOf(valueNames, toOptional(json, "values", toText).value_or("item-ids"), "values");
+  list.depthTest = valueOf(depthTestNames, toOptional(json, "depth_test", toText).value_or("nearer"), "depth_test");
 
   const auto file = [&](const std::string& key) { return toFileName(at(json, key), key); };
   list.positions = readVertices<glm::vec3>(folder, file("positions"));
@@ -196,9 +234,6 @@ TestVector readJson(const filesystem::path& folder, const Json& json) {
   for (const Json& draw : toList(at(json, "draws"), "draws"))
     list.draws.push_back(readDraw(draw, mapFiles, list.indexMaps));
   raster::validate(list);
-  if (rulesOf(list) > rules)
-    throw InputError("a draw culls, or an index map has a hole (4294967295), which \"rules\": 1 does not know",
-                     "write \"rules\": 2");
   const std::int64_t background = raster::backgroundId(list.format);
   toInteger(at(json, "background"), "background", background, background);
 
@@ -207,6 +242,9 @@ TestVector readJson(const filesystem::path& folder, const Json& json) {
     raster::validate(vector.faces.back().face);
   }
   if (vector.faces.empty()) throw InputError("\"faces\" is empty");
+  if (rulesOf(vector) > rules)
+    throw InputError("the vector uses keys, values or holes (texels of 4294967295) that \"rules\": 1 does not have",
+                     "write \"rules\": 2");
   std::set<std::string> names{"vector.json", file("positions"), file("texcoords"), file("indices")};
   for (const auto& [map, index] : mapFiles.known) names.insert(std::get<std::string>(map));
   for (const VectorFace& face : vector.faces)
@@ -240,6 +278,10 @@ Json number(float value) {
 }
 
 Json toJson(const glm::vec3& v) { return {number(v.x), number(v.y), number(v.z)}; }
+
+Json resolutionOf(const raster::Face& face) {
+  return face.viewport ? Json{face.viewport->columns, face.viewport->rows} : Json(face.resolution);
+}
 
 std::string mapFileName(const raster::IndexMap& map, std::size_t index) {
   return "map-" + std::to_string(index) + "-" + std::to_string(map.width) + "x" + std::to_string(map.height) + ".u32";
@@ -307,10 +349,10 @@ void writeVector(const filesystem::path& folder, const TestVector& vector,
                  std::span<const raster::ItemBuffer> buffers) {
   const raster::DrawList& list = vector.list;
   const raster::Face& first = vector.faces.front().face;
-  Json json{{"rules", rulesOf(list)},
+  Json json{{"rules", rulesOf(vector)},
             {"name", vector.name},
             {"origin", {vector.origin.x, vector.origin.y, vector.origin.z}},
-            {"resolution", first.resolution},
+            {"resolution", resolutionOf(first)},
             {"near", number(first.nearDistance)},
             {"eye", toJson(first.eye)},
             {"channels", list.format.channelBits},
@@ -319,6 +361,9 @@ void writeVector(const filesystem::path& folder, const TestVector& vector,
             {"positions", "positions.f32"},
             {"texcoords", "texcoords.f32"},
             {"indices", "indices.u32"}};
+  if (first.sample != raster::SamplePlace::Middle) json["sample"] = nameOf(sampleNames, first.sample);
+  if (list.value != raster::PixelValue::ItemIds) json["values"] = nameOf(valueNames, list.value);
+  if (list.depthTest != raster::DepthTest::Nearer) json["depth_test"] = nameOf(depthTestNames, list.depthTest);
   if (!vector.catches.empty()) json["catches"] = vector.catches;
   json["draws"] = Json::array();
   for (const raster::Draw& draw : list.draws) json["draws"].push_back(toJson(list, draw));
@@ -377,6 +422,7 @@ glm::ivec2 pixelAt(const raster::Scissor& scissor, std::size_t index) {
 }
 
 std::vector<raster::ItemBuffer> render(const TestVector& vector) {
+  if (isPlainOnly(vector)) return render(raster::PlainRenderer(vector.list), facesOf(vector));
   return render(raster::SoftwareRenderer(vector.list), facesOf(vector));
 }
 

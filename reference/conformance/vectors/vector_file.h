@@ -40,7 +40,8 @@ std::vector<raster::Face> facesOf(const TestVector& vector);
 /// The column and row in the viewport of entry `index` of an item buffer.
 glm::ivec2 pixelAt(const raster::Scissor& scissor, std::size_t index);
 
-/// The item buffers of a vector's faces, by the reference renderer.
+/// The item buffers of a vector's faces, by the reference renderer, or by the plain one where pixels do not show the
+/// nearest triangle.
 std::vector<raster::ItemBuffer> render(const TestVector& vector);
 
 /// The vector folders of a suite, in the order of their names. Any other folder stands for itself.
@@ -52,7 +53,7 @@ TestVector readVector(const std::filesystem::path& folder);
 
 /// Writes the vector into `folder`, which exists. `buffers` holds one item buffer per face, or none. It writes the item
 /// ID files and hashes of given buffers; without buffers, hashes are empty. Throws InputError for a file that cannot be
-/// written. A vector without holes and culling is written in version 1.
+/// written. A vector that uses nothing of version 2 is written in version 1.
 void writeVector(const std::filesystem::path& folder, const TestVector& vector,
                  std::span<const raster::ItemBuffer> buffers);
 

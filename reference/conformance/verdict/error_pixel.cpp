@@ -25,6 +25,11 @@ ItemId texelUnder(const raster::DrawList& list, ItemId offset, ItemId id) {
 std::optional<IdOrigin> originIn(const raster::DrawList& list, std::uint32_t number, ItemId id) {
   const raster::Draw& draw = list.draws[number];
   if (draw.back == id) return IdOrigin{IdOrigin::Kind::Back, number, {}};
+  if (list.value == raster::PixelValue::TriangleNumbers) {
+    const std::uint32_t inDraw = id - draw.offset;
+    if (id < draw.offset || inDraw >= draw.count / 3) return {};
+    return IdOrigin{IdOrigin::Kind::Triangle, number, {}, draw.first / 3 + inDraw};
+  }
   if (!draw.indexMap && draw.offset == id) return IdOrigin{IdOrigin::Kind::Offset, number, {}};
   if (!draw.indexMap) return {};
   const ItemId behind = texelUnder(list, draw.offset, id);
@@ -42,7 +47,7 @@ ErrorKind kindOf(const raster::DrawList& list, const std::optional<Fragment>& vi
   if (found.kind == IdOrigin::Kind::Background) return ErrorKind::Missing;
   if (found.kind == IdOrigin::Kind::Unknown) return ErrorKind::ForeignId;
   if (!visible) return ErrorKind::Extra;
-  if (found.draw != visible->draw) return ErrorKind::WrongSurface;
+  if (found.draw != visible->draw && found.kind != IdOrigin::Kind::Triangle) return ErrorKind::WrongSurface;
   const bool foundBack = found.kind == IdOrigin::Kind::Back;
   return foundBack == showsBack(list, *visible) ? ErrorKind::WrongElement : ErrorKind::WrongSide;
 }
@@ -69,6 +74,8 @@ std::string toText(const IdOrigin& origin) {
       return draw;
     case IdOrigin::Kind::Texel:
       return draw + " texel " + std::to_string(origin.texel.column) + "," + std::to_string(origin.texel.row);
+    case IdOrigin::Kind::Triangle:
+      return draw + " triangle " + std::to_string(origin.triangle);
     case IdOrigin::Kind::Unknown:
       break;
   }

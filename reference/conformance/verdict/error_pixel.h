@@ -18,16 +18,17 @@ namespace hemitex::reference {
 /// The origin of an item ID: the background, or a draw that may produce it. With aligned offsets the draw is the
 /// surface and the texel the element.
 struct IdOrigin {
-  enum class Kind { Background, Back, Offset, Texel, Unknown };
+  enum class Kind { Background, Back, Offset, Texel, Triangle, Unknown };
   Kind kind = Kind::Unknown;
-  std::uint32_t draw = 0;  ///< of Back, Offset and Texel
-  Texel texel;             ///< of Texel: the first one of the draw's index map that holds the index
+  std::uint32_t draw = 0;      ///< of Back, Offset, Texel and Triangle
+  Texel texel;                 ///< of Texel: the first one of the draw's index map that holds the index
+  std::uint32_t triangle = 0;  ///< of Triangle: its number in DrawList::indices / 3
 };
 
 /// The origin of `id`: draw `likely` if it is given and produces the item ID, else the first draw that does. The origin
 /// of a sum with a clamped channel is unknown.
 IdOrigin originOf(const raster::DrawList& list, raster::ItemId id, std::optional<std::uint32_t> likely = {});
-/// "background", "back of draw 3", "draw 3", "draw 3 texel 5,7", "no draw".
+/// "background", "back of draw 3", "draw 3", "draw 3 texel 5,7", "draw 3 triangle 8", "no draw".
 std::string toText(const IdOrigin& origin);
 
 /// How the found item ID differs from the expected one.
@@ -35,7 +36,7 @@ enum class ErrorKind : std::uint8_t {
   Missing,       ///< the background in place of a triangle
   Extra,         ///< a triangle in place of the background
   WrongSurface,  ///< another draw
-  WrongElement,  ///< the right draw, another texel
+  WrongElement,  ///< the right draw, another texel; or the number of another triangle
   WrongSide,     ///< the right draw, its back instead of its front or the reverse
   ForeignId,     ///< an item ID that no draw produces
 };

@@ -124,8 +124,10 @@ void requireInside(const raster::Scissor& scissor, int column, int row) {
 }  // namespace
 
 Json viewOf(const raster::Face& face) {
-  return {{"eye", list(face.eye)}, {"x", list(face.x)},         {"y", list(face.y)},
-          {"w", list(face.w)},     {"near", face.nearDistance}, {"resolution", face.resolution}};
+  Json view{{"eye", list(face.eye)}, {"x", list(face.x)},         {"y", list(face.y)},
+            {"w", list(face.w)},     {"near", face.nearDistance}, {"resolution", face.resolution}};
+  if (face.viewport) view["resolution"] = {face.viewport->columns, face.viewport->rows};
+  return view;
 }
 
 Json explanation(const TestVector& vector, const VectorFace& face, int column, int row) {

@@ -186,6 +186,7 @@ bool mayGive(const JudgedFace& face, const Candidate& candidate, ItemId id) {
   if (isOpen) return false;
   if (draw.back && id == *draw.back && mayFace(triangle, draw, true)) return true;
   if (!mayFace(triangle, draw, false) && (draw.back || !mayFace(triangle, draw, true))) return false;
+  if (face.list.value == raster::PixelValue::TriangleNumbers) return id == triangleNumber(draw, triangle.number);
   if (!draw.indexMap) return id == draw.offset;
   return mayFindTexel(face, candidate, [&](ItemId texel) {
     return !isHoleTexel(texel) && raster::blend(face.list.format, face.list.blend, draw.offset, texel) == id;
@@ -237,7 +238,7 @@ PixelVerdict judgeId(const JudgedFace& face, std::span<const DeviceTriangle* con
     if (nearest < certain || !mayGive(face, candidate, found)) continue;
     if (face.profile.strictDepth && hasEarlierTwin(candidates, candidate)) continue;
     // Without a texel to differ in, the triangle may show its other side.
-    const bool hasTexel = face.list.draws[candidate.triangle->draw].indexMap.has_value();
+    const bool hasTexel = face.list.value == raster::PixelValue::ItemIds && drawOf(face, *candidate.triangle).indexMap;
     if (&candidate == expected) return hasTexel ? PixelVerdict::Texel : PixelVerdict::Depth;
     const bool passesExpected = candidate.covers() && nearest >= expected->farthest();
     if (passesExpected) verdict = PixelVerdict::Depth;

@@ -21,17 +21,19 @@ std::pair<std::uint32_t, bool> renumber(Numbers& numbers, std::uint32_t old) {
   return {place->second, isNew};
 }
 
-/// The list with only these triangles, given in draw order, and with the draws and index maps that they use.
+/// The list with only these triangles, given in draw order, and with the draws and index maps that they use. Triangles
+/// that pixels number become draws of their own, so that each keeps its number.
 raster::DrawList withTriangles(const raster::DrawList& list, std::span<const DrawnTriangle> triangles) {
-  raster::DrawList result;
-  result.format = list.format;
-  result.blend = list.blend;
-  result.positions = list.positions;
-  result.texcoords = list.texcoords;
+  const bool areNumbered = list.value == raster::PixelValue::TriangleNumbers;
+  raster::DrawList result = list;
+  result.indices.clear();
+  result.indexMaps.clear();
+  result.draws.clear();
   Numbers draws, maps;
   for (const DrawnTriangle& each : triangles) {
-    if (renumber(draws, each.draw).second) {
+    if (renumber(draws, each.draw).second || areNumbered) {
       raster::Draw draw = list.draws[each.draw];
+      if (areNumbered) draw.offset = triangleNumber(draw, each.triangle);
       draw.first = static_cast<std::uint32_t>(result.indices.size());
       draw.count = 0;
       if (draw.indexMap) {

@@ -95,8 +95,10 @@ FaceVerdict judgeFace(const raster::DrawList& list, const VectorFace& vectorFace
   const auto anyError = [&] {
     return std::find(face.pixels.begin(), face.pixels.end(), PixelVerdict::Error) != face.pixels.end();
   };
-  if (anyError()) judgeErrors(list, vectorFace.face, profile, false, face);
-  if (profile.looseClipping && anyError()) judgeErrors(list, vectorFace.face, profile, true, face);
+  const raster::Face& view = vectorFace.face;
+  if (list.depthTest != raster::DepthTest::Nearer || !isUsual(view)) return face;
+  if (anyError()) judgeErrors(list, view, profile, false, face);
+  if (profile.looseClipping && anyError()) judgeErrors(list, view, profile, true, face);
   return face;
 }
 

@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 #include <functional>
 
+#include "raster/base/input_error.h"
 #include "tests/support/validity.h"
 
 using namespace hemitex::raster;
@@ -85,6 +86,33 @@ TEST_CASE("validate rejects draws that can produce the background or more", "[dr
   CHECK(isValid([](DrawList& l) { l.draws[0].offset = 240; }));
   CHECK_FALSE(isValid([](DrawList& l) { l.draws[0].offset = 250; }));
   CHECK(isValid([](DrawList& l) { l.draws[0].offset = 249; }));
+}
+
+TEST_CASE("validate rejects draws whose last triangle number is the background", "[draw_list]") {
+  const auto isOffset = [](std::size_t draw, ItemId offset) {
+    return isValid([&](DrawList& l) {
+      l.value = PixelValue::TriangleNumbers;
+      l.draws[1].first = 0;
+      l.draws[1].count = 6;
+      l.draws[draw].offset = offset;
+    });
+  };
+  CHECK(isOffset(0, 254));
+  CHECK_FALSE(isOffset(0, 255));
+  CHECK(isOffset(1, 253));
+  CHECK_FALSE(isOffset(1, 254));
+  // Texels give no number, only holes.
+  CHECK(isValid([](DrawList& l) { l.value = PixelValue::TriangleNumbers, l.draws[0].offset = 250; }));
+}
+
+TEST_CASE("requireNearest refuses other depth tests", "[draw_list]") {
+  DrawList l = list();
+  CHECK_NOTHROW(requireNearest(l));
+  for (const DepthTest test : {DepthTest::NearerOrEqual, DepthTest::Farther, DepthTest::FartherOrEqual}) {
+    l.depthTest = test;
+    CHECK_NOTHROW(validate(l));
+    CHECK_THROWS_AS(requireNearest(l), hemitex::raster::InputError);
+  }
 }
 
 TEST_CASE("validate accepts holes in index maps of any format and blend", "[draw_list]") {

@@ -5,6 +5,7 @@
 #include <functional>
 #include <limits>
 
+#include "raster/base/input_error.h"
 #include "tests/support/validity.h"
 
 using namespace hemitex::raster;
@@ -38,6 +39,33 @@ TEST_CASE("validate accepts scissor rectangles with pixels that lie in the viewp
     CHECK_FALSE(isValid([&](Face& f) { f.scissor = wrong; }));
   CHECK(isValid([](Face& f) { f.scissor = {.width = 8, .height = 8}; }));
   CHECK_FALSE(isValid([](Face& f) { f.scissor = {}; }));
+}
+
+TEST_CASE("validate accepts viewports of 1 to 16384 columns and rows, which hold the scissor rectangle", "[face]") {
+  const auto isViewport = [](int columns, int rows, const Scissor& scissor) {
+    return isValid([&](Face& f) { f.viewport = Viewport{columns, rows}, f.scissor = scissor; });
+  };
+  CHECK(isViewport(1, 1, {0, 0, 1, 1}));
+  CHECK(isViewport(16384, 8, {16000, 0, 384, 8}));
+  CHECK(isViewport(7, 16384, {6, 16383, 1, 1}));
+  CHECK_FALSE(isViewport(0, 8, {0, 0, 1, 1}));
+  CHECK_FALSE(isViewport(8, -1, {0, 0, 1, 1}));
+  CHECK_FALSE(isViewport(16385, 8, {0, 0, 1, 1}));
+  CHECK_FALSE(isViewport(8, 7, {0, 0, 8, 8}));
+  CHECK_FALSE(isViewport(7, 8, {0, 0, 8, 8}));
+  // Its resolution does not matter then.
+  CHECK(isValid([](Face& f) { f.viewport = Viewport{3, 3}, f.resolution = 0, f.scissor = {0, 0, 3, 3}; }));
+}
+
+TEST_CASE("requireUsual refuses viewports of their own and samples at corners", "[face]") {
+  CHECK_NOTHROW(requireUsual(face()));
+  Face own = face(), corner = face();
+  own.viewport = Viewport{8, 8};
+  corner.sample = SamplePlace::Corner;
+  for (const Face& other : {own, corner}) {
+    CHECK_FALSE(isUsual(other));
+    CHECK_THROWS_AS(requireUsual(other), InputError);
+  }
 }
 
 TEST_CASE("validate rejects near distances that are not positive and finite", "[face]") {

@@ -114,6 +114,15 @@ TEST_CASE("drawOn draws holes and culls by the facing that the device assumes", 
   }
 }
 
+TEST_CASE("drawOn numbers triangles and tests depths by the rules of version 2", "[diagnosis]") {
+  for (const std::string family : {"triangle-numbers", "depth-tests"})
+    for (std::uint64_t seed = 0; seed < 50; ++seed) {
+      const TestVector vector = reference::randomVector(seed, family);
+      INFO(vector.name);
+      CHECK(idsOf(drawAll(StagedDevice{}, vector)) == idsOf(reference::render(vector)));
+    }
+}
+
 TEST_CASE("drawOn with keepsDepth hides what lies behind the faces before", "[diagnosis]") {
   StagedDevice device;
   device.keepsDepth = true;

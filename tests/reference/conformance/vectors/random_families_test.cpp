@@ -165,23 +165,24 @@ TEST_CASE("randomFamilies have unique names, at most ten triangles per drawing, 
   }
 }
 
-TEST_CASE("newRandomFamilies show holes and culling in most vectors", "[random]") {
+TEST_CASE("newRandomFamilies show what they are named for in most vectors", "[random]") {
   constexpr int count = 300;
-  const auto differing = [](const std::string& family, const std::function<void(raster::DrawList&)>& change) {
+  const auto differing = [](const std::string& family, const std::function<void(reference::TestVector&)>& change) {
     int changed = 0;
     for (std::uint64_t seed = 0; seed < count; ++seed) {
       reference::TestVector vector = reference::randomVector(seed, family);
       const std::string hash = reference::idsHash(reference::render(vector));
-      change(vector.list);
+      change(vector);
       changed += reference::idsHash(reference::render(vector)) != hash;
     }
     return changed;
   };
-  const auto fill = [](raster::DrawList& list) {
-    for (raster::IndexMap& map : list.indexMaps) std::replace(map.ids.begin(), map.ids.end(), raster::holeTexel, 0U);
+  const auto fill = [](reference::TestVector& vector) {
+    for (raster::IndexMap& map : vector.list.indexMaps)
+      std::replace(map.ids.begin(), map.ids.end(), raster::holeTexel, 0U);
   };
-  const auto drawAll = [](raster::DrawList& list) {
-    for (raster::Draw& draw : list.draws) draw.cull = raster::Cull::None;
+  const auto drawAll = [](reference::TestVector& vector) {
+    for (raster::Draw& draw : vector.list.draws) draw.cull = raster::Cull::None;
   };
   CHECK(differing("holes", fill) > count / 2);
   CHECK(differing("holes", drawAll) == 0);
@@ -189,6 +190,16 @@ TEST_CASE("newRandomFamilies show holes and culling in most vectors", "[random]"
   CHECK(differing("culled-sides", fill) == 0);
   CHECK(differing("two-sided", fill) > count / 2);
   CHECK(differing("two-sided", drawAll) > count / 2);
+  CHECK(differing("triangle-numbers",
+                  [](reference::TestVector& vector) { vector.list.value = raster::PixelValue::ItemIds; }) > count / 2);
+  CHECK(differing("depth-tests", [](reference::TestVector& vector) {
+          vector.list.depthTest = raster::DepthTest::Nearer;
+        }) > count / 2);
+  CHECK(differing("viewports", [](reference::TestVector& vector) {
+          for (reference::VectorFace& face : vector.faces)
+            face.face.sample = face.face.sample == raster::SamplePlace::Middle ? raster::SamplePlace::Corner
+                                                                               : raster::SamplePlace::Middle;
+        }) > count / 2);
 }
 
 TEST_CASE("Random gives the pinned numbers within their intervals", "[random]") {

@@ -43,6 +43,10 @@ Ids bitsOf(const TestVector& vector) {
     bits.insert(bits.end(), {draw.first, draw.count, draw.offset, draw.back.value_or(0)});
     if (draw.cull != raster::Cull::None) bits.push_back(static_cast<ItemId>(draw.cull));
   }
+  if (vector.list.value != raster::PixelValue::ItemIds || vector.list.depthTest != raster::DepthTest::Nearer)
+    bits.insert(bits.end(), {static_cast<ItemId>(vector.list.value), static_cast<ItemId>(vector.list.depthTest)});
+  for (const raster::Face& face : facesOf(vector))
+    if (!isUsual(face)) bits.push_back(static_cast<ItemId>(face.sample));
   for (const raster::Face& face : facesOf(vector))
     for (const glm::vec3& row : {face.eye, face.x, face.y, face.w, glm::vec3(face.nearDistance)}) append(bits, row);
   for (const raster::ItemBuffer& buffer : reference::render(vector))
@@ -157,7 +161,10 @@ TEST_CASE("randomVector gives pinned vectors for the first hundred seeds of each
                                                   {"fine-coordinates", "787f8a368e3b6391"},
                                                   {"holes", "4de001229fbb81f9"},
                                                   {"culled-sides", "579c44020b90f666"},
-                                                  {"two-sided", "8cb41c75985d105e"}};
+                                                  {"two-sided", "8cb41c75985d105e"},
+                                                  {"triangle-numbers", "2a2732b801622685"},
+                                                  {"depth-tests", "c87ad26e9bbbd48c"},
+                                                  {"viewports", "06fad210ee83c739"}};
   CHECK(pinned.size() == reference::randomFamilies().size() + reference::newRandomFamilies().size());
   for (const auto& [family, hash] : pinned) {
     INFO(family);

@@ -96,7 +96,32 @@ TEST_CASE("writeVector writes version 1 as before, and version 2 where a draw cu
   }
 }
 
-TEST_CASE("readVector refuses holes and culling in version 1, and unknown ways to cull", "[vector]") {
+TEST_CASE("readVector reads back triangle numbers, depth tests, viewports and sample places", "[vector]") {
+  TestVector written = sample();
+  written.list.value = raster::PixelValue::TriangleNumbers;
+  written.list.depthTest = raster::DepthTest::FartherOrEqual;
+  for (reference::VectorFace& face : written.faces) {
+    face.face.viewport = raster::Viewport{300, 17};
+    face.face.sample = raster::SamplePlace::Corner;
+  }
+  const TemporaryFolder folder;
+  writeVector(folder.path, written, reference::render(written));
+  const std::string text = contents(folder.path / "vector.json");
+  for (const char* line : {"\"rules\": 2,", "\"values\": \"triangle-numbers\"", "\"depth_test\": \"farther-or-equal\"",
+                           "\"sample\": \"corner\""})
+    CHECK(text.find(line) != std::string::npos);
+  const TestVector read = reference::readVector(folder.path);
+  CHECK(read.list.value == written.list.value);
+  CHECK(read.list.depthTest == written.list.depthTest);
+  for (const reference::VectorFace& face : read.faces) {
+    CHECK(face.face.viewport == raster::Viewport{300, 17});
+    CHECK(face.face.sample == raster::SamplePlace::Corner);
+  }
+  const std::vector<raster::ItemBuffer> candidate = reference::readCandidate(folder.path, read);
+  CHECK(candidate[1].ids == reference::render(read)[1].ids);
+}
+
+TEST_CASE("readVector refuses keys and values of version 2 in version 1, and unknown ones", "[vector]") {
   const auto refusal = [](const TestVector& vector, const std::string& from, const std::string& to) -> std::string {
     const TemporaryFolder folder;
     writeVector(folder.path, vector, {});
@@ -113,11 +138,18 @@ TEST_CASE("readVector refuses holes and culling in version 1, and unknown ways t
   TestVector open = sample(), culling = sample();
   open.list.indexMaps[1].ids[4] = raster::holeTexel;
   culling.list.draws[2].cull = raster::Cull::Back;
-  for (const TestVector& vector : {open, culling}) {
+  TestVector numbered = sample(), farther = sample(), corner = sample(), wide = sample();
+  numbered.list.value = raster::PixelValue::TriangleNumbers;
+  farther.list.depthTest = raster::DepthTest::Farther;
+  for (reference::VectorFace& face : corner.faces) face.face.sample = raster::SamplePlace::Corner;
+  for (reference::VectorFace& face : wide.faces) face.face.viewport = raster::Viewport{17, 16};
+  for (const TestVector& vector : {open, culling, numbered, farther, corner, wide}) {
     CHECK(refusal(vector, "\"rules\": 2", "\"rules\": 1").find("\"rules\": 2") != std::string::npos);
     CHECK(refusal(vector, "\"rules\": 2", "\"rules\": 2").empty());
   }
   CHECK(refusal(culling, "\"cull\": \"back\"", "\"cull\": \"both\"").find("none, front, back") != std::string::npos);
+  CHECK(refusal(farther, "\"farther\"", "\"less\"").find("nearer-or-equal") != std::string::npos);
+  CHECK(refusal(numbered, "triangle-numbers", "triangles").find("triangle-numbers") != std::string::npos);
   CHECK(refusal(sample(), "\"rules\": 1", "\"rules\": 2").empty());
 }
 

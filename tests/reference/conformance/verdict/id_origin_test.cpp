@@ -22,3 +22,16 @@ TEST_CASE("originOf finds the draw and texel of an item ID", "[verdict]") {
   CHECK(toText(originOf(list, 0xff00ff)) == "draw 2 texel 1,0");
   CHECK(toText(originOf(list, 0xff0100)) == "no draw");  // a carry that clamped addition cannot make
 }
+
+TEST_CASE("originOf finds the draw and the triangle of a triangle number", "[verdict]") {
+  raster::DrawList list = JudgedWall().vector.list;
+  list.value = raster::PixelValue::TriangleNumbers;
+  tests::addDraw(list, 0x200);
+  tests::addTriangle(list, {{0, 0, 1}, {1, 0, 1}, {0, 1, 1}});
+  CHECK(toText(originOf(list, 0x100)) == "draw 0 triangle 0");
+  CHECK(toText(originOf(list, 0x101)) == "draw 0 triangle 1");
+  CHECK(toText(originOf(list, 0x102)) == "no draw");
+  CHECK(toText(originOf(list, 0xff)) == "no draw");
+  CHECK(toText(originOf(list, 0x200)) == "draw 1 triangle 2");
+  CHECK(toText(originOf(list, 0x300)) == "back of draw 0");
+}

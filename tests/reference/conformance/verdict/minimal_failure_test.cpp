@@ -2,7 +2,7 @@
 #include <catch2/catch.hpp>
 
 #include "reference/conformance/scenes/scene_vectors.h"
-#include "reference/conformance/vectors/vector_file.h"
+#include "reference/conformance/vectors/draw_list_builder.h"
 #include "reference/conformance/verdict/reduction.h"
 #include "tests/support/judged_wall.h"
 
@@ -96,4 +96,20 @@ TEST_CASE("minimize keeps the triangles on both sides of a hole on an inner edge
   const MinimalFailure minimal = minimize(wall.vector, withOneId(wall.vector, 0, 8 + 1, 0xffffff), {});
   CHECK(minimal.error.kind == ErrorKind::Missing);
   CHECK(trianglesOf(minimal.vector) == 2);
+}
+
+TEST_CASE("minimize keeps the numbers of triangles", "[verdict]") {
+  reference::Picture picture(16);
+  picture.value = raster::PixelValue::TriangleNumbers;
+  tests::addDraw(picture, 0x100);
+  for (int column = 0; column < 16; ++column)
+    for (int row = 0; row < 16; ++row) picture.addPixel(column, row);
+  const TestVector vector = makeVector("numbers", "", picture);
+  // Triangle 16 * column + row covers one pixel.
+  REQUIRE(reference::render(vector)[0].ids[16 * 2 + 5] == 0x100 + 16 * 5 + 2);
+  const MinimalFailure minimal = minimize(vector, withOneId(vector, 0, 16 * 2 + 5, 0x100 + 16 * 5 + 3), {});
+  CHECK(trianglesOf(minimal.vector) <= 2);
+  CHECK(minimal.error.expected == 0x100 + 16 * 5 + 2);
+  CHECK(minimal.error.kind == ErrorKind::WrongElement);
+  CHECK(reference::render(minimal.vector)[0].ids == minimal.expected.ids);
 }
