@@ -6,6 +6,7 @@ layout(location = 2) flat in dvec3 column;
 layout(location = 4) flat in dvec3 row;
 layout(location = 6) flat in double volume;
 layout(location = 7) flat in uint draw;
+layout(location = 8) flat in uint number;
 layout(location = 0) out uint id;
 
 uint clampedAdd(uint a, uint b) {
@@ -34,11 +35,11 @@ void main() {
   Draw drawn = draws[draw];
   if (drawn.cull == (gl_FrontFacing ? 1 : 2)) discard;
   bool isBack = drawn.hasBack != 0 && !gl_FrontFacing;
-  id = isBack ? drawn.back : drawn.offset;
+  id = isBack ? drawn.back : value == 1 ? number : drawn.offset;
   if (drawn.width == 0) return;
   dvec2 position = dvec2(dot(column, p), dot(row, p)) / dot(one, p);
   uvec2 texel = uvec2(clamp(floor(position), dvec2(0), dvec2(drawn.width, drawn.height) - 1));
   uint index = texels[drawn.firstTexel + texel.y * uint(drawn.width) + texel.x];
   if (index == ~0u) discard;  // a hole
-  if (!isBack) id = blended(drawn.offset, index);
+  if (!isBack && value == 0) id = blended(drawn.offset, index);
 }

@@ -7,6 +7,7 @@ layout(location = 2) flat out dvec3 column;
 layout(location = 4) flat out dvec3 row;
 layout(location = 6) flat out double volume;
 layout(location = 7) flat out uint draw;
+layout(location = 8) flat out uint number;  // of the triangle: its item ID if pixels hold triangle numbers
 
 struct Vertex {
   dvec3 view;      // x, y, w
@@ -67,6 +68,7 @@ void setPlanes(dvec3 v[3], dvec2 texcoord[3], dvec2 size) {
 void main() {
   int triangle = vertexNumber / 6, fan = vertexNumber / 3 % 2, k = vertexNumber % 3;
   draw = corners[3 * triangle].draw;
+  number = draws[draw].offset + uint(triangle - draws[draw].firstTriangle);
   one = column = row = dvec3(0);
   volume = 0;
   gl_Position = vec4(0, 0, 0, 1);  // three equal corners cover no pixel

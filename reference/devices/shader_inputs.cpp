@@ -28,9 +28,11 @@ std::vector<ShaderDraw> shaderDraws(const raster::DrawList& list) {
     texels += map.ids.size();
   }
   std::vector<ShaderDraw> draws;
+  int triangles = 0;
   for (const raster::Draw& draw : list.draws) {
-    ShaderDraw shaderDraw{draw.offset, draw.back.value_or(0),      draw.back.has_value(), 0, 0,
-                          0,           static_cast<int>(draw.cull)};
+    ShaderDraw shaderDraw{
+        draw.offset, draw.back.value_or(0), draw.back.has_value(), 0, 0, 0, static_cast<int>(draw.cull), triangles};
+    triangles += static_cast<int>(draw.count / 3);
     if (draw.indexMap) {
       const auto m = static_cast<std::size_t>(*draw.indexMap);
       shaderDraw.firstTexel = firstTexels[m];
@@ -58,7 +60,8 @@ ShaderView shaderView(const raster::Face& face, const raster::DrawList& list, in
           .w = face.w,
           .channelEnds = channelEnds(list.format),
           .scissor = {face.scissor.column, face.scissor.row},
-          .blend = list.blend};
+          .blend = list.blend,
+          .value = static_cast<int>(list.value)};
 }
 
 }  // namespace hemitex::reference

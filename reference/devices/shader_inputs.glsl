@@ -14,6 +14,7 @@ struct Draw {
   uint firstTexel;
   int width, height;
   int cull;  // raster::Cull
+  int firstTriangle;
 };
 
 layout(std430, binding = 0) readonly buffer Corners { Corner corners[]; };
@@ -37,4 +38,5 @@ layout(std140, binding = 0) uniform View {
   uint channelEnds;
   vec2 scissor;
   int blend;  // raster::Blend
+  int value;  // raster::PixelValue
 };

@@ -25,6 +25,7 @@ struct ShaderDraw {
   std::uint32_t firstTexel;  ///< of its index map, in the array of texels
   int width, height;         ///< of its index map; 0 without one
   int cull;                  ///< raster::Cull
+  int firstTriangle;         ///< in the array of corners / 3
 };
 
 /// The members are ordered such that GLSL needs no padding.
@@ -39,8 +40,9 @@ struct alignas(16) ShaderView {
   std::uint32_t channelEnds;
   glm::vec2 scissor;  ///< first column and row
   raster::Blend blend;
+  int value;  ///< raster::PixelValue
 };
-static_assert(sizeof(ShaderCorner) == 24 && sizeof(ShaderDraw) == 28 && sizeof(ShaderView) == 80);
+static_assert(sizeof(ShaderCorner) == 24 && sizeof(ShaderDraw) == 32 && sizeof(ShaderView) == 80);
 
 /// The highest bit of each channel.
 std::uint32_t channelEnds(const raster::IdFormat& format);

@@ -134,6 +134,8 @@ FixedFunction::FixedFunction(const raster::DrawList& list) : triangles_(prepared
   if (!addsAsBytes(list))
     throw raster::InputError("fixed-function hardware cannot add item IDs of these channels",
                              "use r8g8b8 or r8g8b8a8 with a clamped add, aligned offsets, or the shader path");
+  if (list.value != raster::PixelValue::ItemIds)
+    throw raster::InputError("fixed-function hardware has no triangle numbers", "use the shader path");
   if (std::any_of(list.indexMaps.begin(), list.indexMaps.end(), raster::hasHoles))
     throw raster::InputError("fixed-function hardware cannot discard the holes of index maps", "use the shader path");
   glDepthFunc(GL_GREATER);

@@ -101,6 +101,7 @@ std::unique_ptr<OpenGlContext> openDevice(const std::string& name) {
 OpenGlRenderer::OpenGlRenderer(const raster::DrawList& list, OpenGlPath path, const std::string& name)
     : list_(list), context_(openDevice(name)) {
   raster::validate(list);
+  raster::requireNearest(list);
   const OpenGlContext::Use use(*context_);
   pipeline_ = makePipeline(list_, path);
   if (pipeline_->textureTarget() != GL_NONE) textures_ = makeTextures(list.indexMaps, *pipeline_);
@@ -155,7 +156,10 @@ void OpenGlRenderer::drawFace(const raster::Face& face, const std::vector<DrawBa
 
 void OpenGlRenderer::draw(std::span<const raster::Face> faces, std::span<const std::uint32_t> skipped,
                           std::vector<raster::ItemBuffer>& buffers, const std::function<void(std::size_t)>& drawn) {
-  for (const raster::Face& face : faces) raster::validate(face);
+  for (const raster::Face& face : faces) {
+    raster::validate(face);
+    raster::requireUsual(face);
+  }
   const OpenGlContext::Use use(*context_);
   const auto joins = [this](const raster::Draw& draw, const raster::Draw& next) {
     return pipeline_->joins(draw, next);

@@ -48,10 +48,6 @@ uint sum(uint a, uint b) {
 }
 )";
 
-constexpr const char* holeText = "bool isHole(uint texel) { return texel == ~0u; }\n";
-/// Devices test depths early where no fragment can be discarded.
-constexpr const char* noHoleText = "bool isHole(uint texel) { return false; }\n";
-
 constexpr const char* fragmentText = R"(
 layout(location = 1) uniform uint back;
 layout(location = 2) uniform bool hasBack;
@@ -62,10 +58,19 @@ out uint id;
 
 void main() {
   uint texel = texture(map, uv).x;
-  if (isHole(texel)) discard;
-  id = hasBack && !gl_FrontFacing ? back : sum(offset, texel);
+  if (hasHoles && texel == ~0u) discard;
+  id = hasBack && !gl_FrontFacing ? back : sum(offset, isNumbered ? 0u : texel);
 }
 )";
+
+/// Devices test depths early where they know that no fragment is discarded.
+std::string constantsOf(const raster::DrawList& list) {
+  const auto constant = [](const std::string& name, bool value) {
+    return "const bool " + name + (value ? " = true;\n" : " = false;\n");
+  };
+  return constant("hasHoles", std::any_of(list.indexMaps.begin(), list.indexMaps.end(), raster::hasHoles)) +
+         constant("isNumbered", list.value == raster::PixelValue::TriangleNumbers);
+}
 
 /// The largest value of each channel of a map's item IDs, holes aside.
 ItemId largestChannels(const raster::IndexMap& map, const raster::IdFormat& format) {
@@ -83,7 +88,7 @@ ItemId largestChannels(const raster::IndexMap& map, const raster::IdFormat& form
 
 /// Whether a sum of offset and texel exceeds a channel.
 bool clamps(const raster::DrawList& list) {
-  if (list.blend != raster::Blend::ClampedAdd) return false;
+  if (list.blend != raster::Blend::ClampedAdd || list.value != raster::PixelValue::ItemIds) return false;
   std::vector<ItemId> largest;
   for (const raster::IndexMap& map : list.indexMaps) largest.push_back(largestChannels(map, list.format));
   return std::any_of(list.draws.begin(), list.draws.end(), [&](const raster::Draw& draw) {
@@ -97,19 +102,22 @@ bool clamps(const raster::DrawList& list) {
 using Vertex = std::array<std::uint32_t, 6>;
 
 /// Makes and binds buffers of the vertices of all draws, and of the index of each corner, draw after draw. The offset
-/// of a vertex is that of its draw, or 0 if texels replace it. Corners with equal values share a vertex.
+/// of a vertex is that of its draw, 0 if texels replace it, or the number of its triangle if pixels hold that. Corners
+/// with equal values share a vertex.
 void uploadVertices(const raster::DrawList& list) {
   std::vector<Vertex> vertices;
   std::vector<std::uint32_t> indices;
   std::map<Vertex, std::uint32_t> known;
   const auto bits = [](float number) { return std::bit_cast<std::uint32_t>(number); };
   for (const raster::Draw& draw : list.draws) {
-    const bool isReplaced = draw.indexMap && list.blend == raster::Blend::Replace;
+    const bool isNumbered = list.value == raster::PixelValue::TriangleNumbers;
+    const bool isReplaced = draw.indexMap && list.blend == raster::Blend::Replace && !isNumbered;
     for (std::uint32_t i = draw.first; i < draw.first + draw.count; ++i) {
       const glm::vec3& position = list.positions[list.indices[i]];
       const glm::vec2& texcoord = list.texcoords[list.indices[i]];
+      const ItemId offset = isNumbered ? triangleNumber(draw, i / 3) : isReplaced ? 0 : draw.offset;
       const Vertex vertex{bits(position.x), bits(position.y), bits(position.z),
-                          bits(texcoord.x), bits(texcoord.y), isReplaced ? 0 : draw.offset};
+                          bits(texcoord.x), bits(texcoord.y), offset};
       const auto [place, isNew] = known.try_emplace(vertex, static_cast<std::uint32_t>(vertices.size()));
       if (isNew) vertices.push_back(vertex);
       indices.push_back(place->second);
@@ -130,9 +138,7 @@ class Plain final : public OpenGlPipeline {
  public:
   explicit Plain(const raster::DrawList& list) {
     const bool isClamped = clamps(list);
-    const bool hasHoles = std::any_of(list.indexMaps.begin(), list.indexMaps.end(), raster::hasHoles);
-    useProgram(vertexText, std::string(isClamped ? clampedSumText : integerSumText) +
-                               (hasHoles ? holeText : noHoleText) + fragmentText);
+    useProgram(vertexText, (isClamped ? clampedSumText : integerSumText) + constantsOf(list) + fragmentText);
     glUniform1ui(3, isClamped ? channelEnds(list.format) : raster::backgroundId(list.format));
     uploadVertices(list);
   }

@@ -142,7 +142,10 @@ void VulkanRenderer::submit() {
 
 void VulkanRenderer::draw(std::span<const Face> faces, std::span<const std::uint32_t> skipped,
                           std::vector<raster::ItemBuffer>& buffers, const std::function<void(std::size_t)>& drawn) try {
-  for (const Face& face : faces) raster::validate(face);
+  for (const Face& face : faces) {
+    raster::validate(face);
+    raster::requireUsual(face);
+  }
   std::vector<DeviceViewport> viewports;
   for (const Face& face : faces) viewports.push_back(viewportOf(face, 8, largestViewport_, "Vulkan"));
   buffers.resize(faces.size());
@@ -172,6 +175,7 @@ void VulkanRenderer::draw(std::span<const Face> faces, std::span<const std::uint
 std::unique_ptr<raster::ItemBufferRenderer> makeVulkanRenderer(const raster::DrawList& list,
                                                                const std::string& name) try {
   raster::validate(list);
+  raster::requireNearest(list);
   return std::make_unique<VulkanRenderer>(list, name);
 } catch (const vk::SystemError& error) {
   throw failure(error);

@@ -49,4 +49,6 @@ TEST_CASE("shaderCorners, shaderDraws and shaderTexels refer to each other", "[s
   CHECK(draws[1].width == 0);
   CHECK(draws[0].cull == 0);
   CHECK(draws[1].cull == 2);
+  CHECK(draws[0].firstTriangle == 0);
+  CHECK(draws[1].firstTriangle == 1);
 }

@@ -158,17 +158,19 @@ TEST_CASE("makeOpenGlRenderer without remedies draws the whole suite without err
   CHECK(plain.exact < shader.exact);
 }
 
-TEST_CASE("makeOpenGlRenderer draws holes and culls; fixed function refuses holes", "[opengl]") {
+TEST_CASE("makeOpenGlRenderer draws holes and triangle numbers, and culls; fixed function only culls", "[opengl]") {
   if (!hasDevice()) return;
-  for (const reference::RandomFamily& family : reference::newRandomFamilies())
+  for (const std::string family : {"holes", "culled-sides", "two-sided", "triangle-numbers"})
     for (std::uint64_t seed = 0; seed < 30; ++seed)
       for (const OpenGlPath path : {OpenGlPath::FixedFunction, OpenGlPath::Shader, OpenGlPath::Plain}) {
-        const TestVector vector = reference::randomVector(seed, family.name);
+        const TestVector vector = reference::randomVector(seed, family);
         const std::vector<raster::IndexMap>& maps = vector.list.indexMaps;
+        const bool isFixed = vector.list.value == raster::PixelValue::ItemIds &&
+                             std::none_of(maps.begin(), maps.end(), raster::hasHoles);
         reference::DeviceProfile profile;
         if (path == OpenGlPath::Plain) profile.texelPrecision = 0x1p-6;  // binary32, also at corners that clipping adds
         INFO(vector.name << ", path " << static_cast<int>(path));
-        if (path == OpenGlPath::FixedFunction && std::any_of(maps.begin(), maps.end(), raster::hasHoles))
+        if (path == OpenGlPath::FixedFunction && !isFixed)
           CHECK_THROWS_AS(makeOpenGlRenderer(vector.list, path), raster::InputError);
         else
           CHECK(
@@ -206,6 +208,15 @@ TEST_CASE("makeOpenGlRenderer draws with the device of a name, and with no other
   CHECK_NOTHROW(makeOpenGlRenderer(tests::plainList(), OpenGlPath::Shader, name));
   CHECK_THROWS_WITH(makeOpenGlRenderer(tests::plainList(), OpenGlPath::Shader, "abacus"),
                     Catch::Contains("no OpenGL device with \"abacus\" in its name"));
+}
+
+TEST_CASE("makeOpenGlRenderer refuses other depth tests and viewports", "[opengl]") {
+  if (!hasDevice()) return;
+  const TestVector viewports = reference::randomVector(0, "viewports");
+  CHECK_THROWS_AS(makeOpenGlRenderer(reference::randomVector(0, "depth-tests").list, OpenGlPath::Shader),
+                  raster::InputError);
+  CHECK_THROWS_AS(render(*makeOpenGlRenderer(viewports.list, OpenGlPath::Shader), facesOf(viewports), {}),
+                  raster::InputError);
 }
 
 TEST_CASE("makeOpenGlRenderer leaves out skipped triangles", "[opengl]") {
