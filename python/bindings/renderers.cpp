@@ -34,6 +34,12 @@ const Names<raster::Cull>& culls() {
   return names;
 }
 
+const Names<raster::PixelValue>& pixelValues() {
+  static const Names<raster::PixelValue> names{{"item-ids", raster::PixelValue::ItemIds},
+                                               {"triangle-numbers", raster::PixelValue::TriangleNumbers}};
+  return names;
+}
+
 template <typename Value>
 std::string nameOf(const Names<Value>& names, Value value) {
   for (const auto& [name, each] : names)
@@ -118,6 +124,7 @@ class PythonRenderer final : public raster::ItemBufferRenderer {
 }  // namespace
 
 py::dict toDict(const raster::DrawList& list) {
+  raster::requireNearest(list);
   py::list draws, maps;
   for (const raster::Draw& draw : list.draws) draws.append(toDict(draw));
   for (const raster::IndexMap& map : list.indexMaps) maps.append(toArray(map.ids, {map.height, map.width}));
@@ -125,7 +132,7 @@ py::dict toDict(const raster::DrawList& list) {
       "positions"_a = floats(list.positions), "texcoords"_a = floats(list.texcoords),
       "triangles"_a = toArray(list.indices, {static_cast<py::ssize_t>(list.indices.size() / 3), py::ssize_t{3}}),
       "draws"_a = draws, "index_maps"_a = maps, "channel_bits"_a = py::tuple(py::cast(list.format.channelBits)),
-      "blend"_a = nameOf(blends(), list.blend));
+      "blend"_a = nameOf(blends(), list.blend), "values"_a = nameOf(pixelValues(), list.value));
 }
 
 raster::DrawList drawListOf(const py::dict& dictionary) {
@@ -152,11 +159,13 @@ raster::DrawList drawListOf(const py::dict& dictionary) {
   list.format.channelBits.clear();
   for (const std::int64_t width : bits.values) list.format.channelBits.push_back(static_cast<int>(width));
   assign(list.blend, Settings(dictionary).choice("blend", blends()));
+  assign(list.value, Settings(dictionary).choice("values", pixelValues()));
   raster::validate(list);
   return list;
 }
 
 py::dict toDict(const raster::Face& face) {
+  raster::requireUsual(face);
   const auto three = [](const glm::vec3& v) { return py::make_tuple(v.x, v.y, v.z); };
   return py::dict(
       "eye"_a = three(face.eye), "x"_a = three(face.x), "y"_a = three(face.y), "w"_a = three(face.w),

@@ -37,6 +37,7 @@ class DrawList:
     index_maps: Sequence[npt.ArrayLike] = ()  #: (height, width) item IDs each; row 0 is at v = 0; 2**32 - 1 is a hole
     channel_bits: tuple[int, ...] = (8, 8, 8, 8)  #: of an item ID, the least significant channel first
     blend: str = "clamped-add"  #: of offset and texel: clamped-add per channel, integer-add or replace
+    values: str = "item-ids"  #: of pixels: item-ids, or triangle-numbers, which count from the offset of their draw
 
     @staticmethod
     def of_triangles(positions: npt.ArrayLike, triangles: npt.ArrayLike) -> DrawList:

@@ -15,7 +15,7 @@ def reference(draw_list: hx.DrawList, face: hx.Face, skipped: np.ndarray) -> np.
             if triangle not in skipped:
                 draws.append(hx.Draw(triangle, 1, draw.offset, draw.back, draw.index_map, draw.cull))
     parts = hx.DrawList(draw_list.positions, draw_list.texcoords, draw_list.triangles, draws, draw_list.index_maps,
-                        draw_list.channel_bits, draw_list.blend)
+                        draw_list.channel_bits, draw_list.blend, draw_list.values)
     return hx.TestVector.from_arrays("one", parts, face).draw()[0]
 
 
@@ -76,6 +76,14 @@ def test_judge_takes_a_buffer_of_triangle_numbers() -> None:
     hole = np.where(column == row, vector.draw_list.background, np.where(column > row, 0, 1))
     verdict = hx.judge(vector, hole)
     assert verdict.counts["error"] == 8 and verdict.errors[0]["kind"] == "missing"
+
+
+def test_triangle_numbers() -> None:
+    positions = [[-1, -1, -1], [1, -1, -1], [-1, 1, -1], [1, 1, -1]]
+    draw_list = hx.DrawList(positions, np.zeros((4, 2)), [[0, 1, 2], [1, 3, 2]], [hx.Draw(0, 2, 7)],
+                            values="triangle-numbers")
+    ids = hx.TestVector.from_arrays("numbers", draw_list, hx.Face(resolution=8)).draw()[0]
+    assert ids[0, 0] == 7 and ids[7, 7] == 8 and set(ids.ravel()) == {7, 8}
 
 
 def test_solve_with_a_rasterizer_equals_the_reference() -> None:

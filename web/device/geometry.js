@@ -52,6 +52,13 @@ export function isMirrored({x, y, w}) {
              x[2] * (y[0] * w[1] - y[1] * w[0]) < 0;
 }
 
+// Throws an error for what these backends do not draw.
+export function requireDrawable(vector) {
+  const {values = "item-ids", depth_test: test = "nearer", sample = "middle", resolution} = vector;
+  if (values !== "item-ids" || test !== "nearer" || sample !== "middle" || Array.isArray(resolution))
+    throw new Error("triangle numbers, other depth tests, viewports and sample places are not supported");
+}
+
 // Numbers of the blends, and of the culled sides, in shaders.
 export const blends = ["clamped-add", "integer-add", "replace"];
 export const cullOf = ({cull}) => ["none", "front", "back"].indexOf(cull ?? "none");

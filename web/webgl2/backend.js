@@ -2,7 +2,9 @@
 //
 // The vertex stage and the clipping follow the raster rules. All else is left to the device, which snaps and
 // interpolates in its own way.
-import {blends, channelBits, cullOf, faceTriangles, isMirrored, vertexBytes} from "../device/geometry.js";
+import {
+  blends, channelBits, cullOf, faceTriangles, isMirrored, requireDrawable, vertexBytes
+} from "../device/geometry.js";
 
 const vertexShader = `#version 300 es
 precision highp float;
@@ -138,6 +140,7 @@ function drawFace(gl, program, vector, face, arrays, maps) {
 }
 
 function drawVector(gl, program, vector, arrays) {
+  requireDrawable(vector);
   const {framebuffer, renderbuffers} = makeTarget(gl, vector.resolution);
   gl.uniform4iv(gl.getUniformLocation(program, "channels"), channelBits(vector));
   gl.uniform1i(gl.getUniformLocation(program, "blend"), blends.indexOf(vector.blend));

@@ -1,7 +1,9 @@
 // A backend for browsers: draws the item buffers of test vectors with WebGPU. docs/backend.md explains the steps.
 //
 // As with WebGL2, the vertex stage and the clipping follow the raster rules, and all else is left to the device.
-import {blends, channelBits, cullOf, faceTriangles, isMirrored, vertexBytes} from "../device/geometry.js";
+import {
+  blends, channelBits, cullOf, faceTriangles, isMirrored, requireDrawable, vertexBytes
+} from "../device/geometry.js";
 
 const shaders = /* wgsl */`
 struct Draw {
@@ -188,6 +190,7 @@ function uploadScene({device, bindings}, vector, arrays) {
 }
 
 async function drawVector(gpu, vector, arrays) {
+  requireDrawable(vector);
   const {device} = gpu;
   device.pushErrorScope("validation");
   const scene = uploadScene(gpu, vector, arrays), encoder = device.createCommandEncoder();
