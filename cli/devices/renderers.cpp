@@ -25,8 +25,7 @@ std::function<std::unique_ptr<raster::ItemBufferRenderer>(const raster::DrawList
     raster::DrawList empty;
     empty.format = *raster::formatNamed("r8g8b8a8");
     make(empty);
-    console.message("OpenGL draws with " + deviceName(device) +
-                    "; a graphics card that idles between its turns runs at a lower clock, and its times are longer");
+    console.message("OpenGL draws with " + deviceName(device));
     return make;
   } catch (const raster::InputError& error) {
     console.message(without + ": " + error.what());

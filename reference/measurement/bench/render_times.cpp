@@ -22,6 +22,9 @@ using radiosity::View;
 /// Patches per repetition.
 constexpr std::size_t patchesAtOnce = 3;
 
+/// Seconds for which a device draws before it is measured.
+constexpr double deviceWarmUp = 0.1;
+
 /// The renderers and the ray tracer of a scene.
 struct World {
   World(const BenchScene& bench, const BenchSettings& settings)
@@ -144,8 +147,12 @@ void appendRuns(World& world, const std::string& name, int resolution, const Ben
                 std::vector<BenchRun>& runs) {
   const Tasks tasks(world, resolution);
   std::vector<std::function<void()>> calls;
-  for (const Task& task : tasks.tasks()) calls.push_back(task.call);
-  const std::vector<Timing> timings = shortTaskTimings(calls, settings.repeats);
+  std::vector<double> warmUps;
+  for (const Task& task : tasks.tasks()) {
+    calls.push_back(task.call);
+    warmUps.push_back(task.what.starts_with("opengl") ? deviceWarmUp : 0);
+  }
+  const std::vector<Timing> timings = shortTaskTimings(calls, settings.repeats, shortestRepetition, warmUps);
   for (std::size_t t = 0; t < timings.size(); ++t) {
     const Task& task = tasks.tasks()[t];
     BenchRun run{name,

@@ -59,10 +59,13 @@ std::vector<Timing> interleavedTimings(std::size_t tasks, int repetitions,
   return timings;
 }
 
-std::vector<Timing> shortTaskTimings(std::span<const std::function<void()>> tasks, int repetitions, double shortest) {
+std::vector<Timing> shortTaskTimings(std::span<const std::function<void()>> tasks, int repetitions, double shortest,
+                                     std::span<const double> warmUps) {
   for (const std::function<void()>& task : tasks) task();
-  return interleavedTimings(tasks.size(), repetitions,
-                            [&](std::size_t task, int) { return secondsOf(tasks[task], shortest); });
+  return interleavedTimings(tasks.size(), repetitions, [&](std::size_t task, int) {
+    if (!warmUps.empty() && warmUps[task] > 0) secondsOf(tasks[task], warmUps[task]);
+    return secondsOf(tasks[task], shortest);
+  });
 }
 
 }  // namespace hemitex::reference

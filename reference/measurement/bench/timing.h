@@ -40,8 +40,9 @@ std::vector<Timing> interleavedTimings(std::size_t tasks, int repetitions,
 inline constexpr double shortestRepetition = 0.02;
 
 /// Measures short tasks as in a solution, with warm caches and running threads. Each task runs once before the
-/// measurement. A repetition calls its task until `shortest` seconds are over, and has the mean time of a call.
+/// measurement. A repetition calls its task until `shortest` seconds are over, and has the mean time of a call. Before
+/// that it calls task t for `warmUps[t]` seconds, if given: a graphics card that idled first runs at a lower clock.
 std::vector<Timing> shortTaskTimings(std::span<const std::function<void()>> tasks, int repetitions,
-                                     double shortest = shortestRepetition);
+                                     double shortest = shortestRepetition, std::span<const double> warmUps = {});
 
 }  // namespace hemitex::reference

@@ -1,6 +1,7 @@
 // The order and number of timed calls. Tests do not check durations.
 #include "reference/measurement/bench/timing.h"
 
+#include <array>
 #include <catch2/catch.hpp>
 #include <string>
 
@@ -62,4 +63,13 @@ TEST_CASE("ratioOf is the median of the ratios of each repetition", "[bench]") {
   CHECK(ratioOf(timing, other) == 3);
   CHECK(timing.median / other.median == 4);
   CHECK(ratioOf(timing / 2, other) == 1.5);
+}
+
+TEST_CASE("shortTaskTimings warms a task up before each of its repetitions", "[bench]") {
+  std::string calls;
+  const std::vector<std::function<void()>> tasks{[&] { calls += 'a'; }, [&] { calls += 'b'; }};
+  const std::array<double, 2> warmUps{0, 1e-12};
+  const std::vector<Timing> timings = shortTaskTimings(tasks, 3, 0, warmUps);
+  CHECK(timings[1].repetitions.size() == 3);
+  CHECK(calls == "ababbabbabb");
 }
