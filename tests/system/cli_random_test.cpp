@@ -1,6 +1,7 @@
 /// `hemitex vector random` as a script uses it.
 #include <sys/wait.h>
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cstdlib>
 #include <filesystem>
@@ -91,13 +92,18 @@ TEST_CASE("hemitex vector checks, renders and explains random vectors of version
     CHECK(raster::readFile(folder.path / first / "vector.json").find("\"rules\": 2") != std::string::npos);
     const fs::path ids = vector.faces[0].ids;
     CHECK(raster::readFile(folder.path / "drawn" / ids) == raster::readFile(folder.path / first / ids));
-    const raster::Scissor& scissor = vector.faces[0].face.scissor;
-    const std::string pixel = std::to_string(scissor.column) + "," + std::to_string(scissor.row);
+    const std::vector<raster::ItemId> shown = reference::render(vector)[0].ids;
+    const auto covered = std::find_if(
+        shown.begin(), shown.end(), [&](raster::ItemId id) { return id != raster::backgroundId(vector.list.format); });
+    REQUIRE(covered != shown.end());
+    const auto index = static_cast<std::size_t>(covered - shown.begin());
+    const glm::ivec2 at = reference::pixelAt(vector.faces[0].face.scissor, index);
+    const std::string pixel = std::to_string(at.x) + "," + std::to_string(at.y);
     const Outcome explained =
         run(folder, "vector explain " + first + " --json --pixel " + vector.faces[0].name + "," + pixel);
     INFO(explained.err);
     REQUIRE(explained.exitCode == 0);
-    CHECK(json::parse(explained.out)["word"] == reference::render(vector)[0].ids[0]);
+    CHECK(json::parse(explained.out)["word"] == *covered);
   }
 }
 
