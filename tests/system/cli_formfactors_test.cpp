@@ -447,3 +447,18 @@ TEST_CASE("hemitex formfactors refuses what no sparse matrix can be made of", "[
     CHECK_THAT(outcome.err, Contains(message));
   }
 }
+
+TEST_CASE("hemitex formfactors warns of rows of which backs take more than 1 %", "[cli]") {
+  const Shell shell;
+  const std::string floor =
+      "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\ng floor\nf 1 2 3 4\n";
+  writeAll(shell.file("right.obj"), floor + "g ceiling\nf 8 7 6 5\n");
+  writeAll(shell.file("turned.obj"), floor + "g ceiling\nf 5 6 7 8\n");
+  for (const std::string command : {"--from floor --by-surface", "--all --by-surface", "--all -o m.csv"}) {
+    INFO(command);
+    for (const std::string scene : {"right.obj", "turned.obj --flip ceiling"})
+      CHECK_THAT(shell.run("formfactors " + scene + " " + command).err, !Contains("backs of faces take"));
+    CHECK_THAT(shell.run("formfactors turned.obj " + command).err,
+               Contains("backs of faces take more than 1 % of a row, most of the row of floor: 2"));
+  }
+}
