@@ -10,7 +10,6 @@
 
 #include "cli/common/options.h"
 #include "radiosity/scene/scene.h"
-#include "radiosity/scene/scene.h"
 #include "radiosity/scene/scene_settings.h"
 
 namespace hemitex::cli {

@@ -59,7 +59,8 @@ radiosity::SceneSettings sceneSettings(const Settings& settings) {
   assign(result.facets, settings.flag("facets"));
   if (result.facets && !settings.value("sides")) result.sides = Sides::One;
   if (const auto names = settings.value("flip"))
-    for (const py::handle& name : py::reinterpret_borrow<py::sequence>(*names)) result.flip.push_back(textOf(name, "flip"));
+    for (const py::handle& name : py::reinterpret_borrow<py::sequence>(*names))
+      result.flip.push_back(textOf(name, "flip"));
   result.symmetry = symmetryOf(settings);
   return result;
 }

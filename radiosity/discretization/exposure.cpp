@@ -56,6 +56,7 @@ struct Region {
 struct Seen {
   double backs = 0, exposedFronts = 0;
   double lights = 0;                             ///< the part of the exposed fronts that emits
+  double open = 0;                               ///< where light comes from outside
   std::size_t points = 0;                        ///< number of points, over which all shares are summed
   std::map<std::uint32_t, double> regions = {};  ///< fronts, by region
 };
@@ -205,7 +206,8 @@ class BuriedRegions {
     Seen seen = look(eye, axes, fewDirections_);
     if (seen.backs < 1 - rounding) seen = look(eye, axes, directions_);
     if (emits(surface) && !seesFronts(seen)) seen = look(eye, axes, manyDirections_);
-    if (isTouching) seen.backs += 1;
+    // What stands on a back gets no light from beyond it.
+    (isTouching ? seen.backs : seen.exposedFronts) += isTouching ? 1 : seen.open;
     return seen;
   }
 
@@ -234,8 +236,7 @@ class BuriedRegions {
     Seen seen;
     for (const LookDirection& look : directions) {
       const auto hit = rays_.firstHit(eye, axes * look.direction);
-      if (!hit && brightest(scene_.outside) > 0)
-        seen.exposedFronts += look.share;  // light from outside comes from there
+      if (!hit && brightest(scene_.outside) > 0) seen.open += look.share;
       if (!hit) continue;
       if (!hit->isFront)
         seen.backs += look.share;

@@ -16,10 +16,18 @@ using Polygon = std::vector<glm::dvec2>;  ///< convex, counter-clockwise, in wei
 /// Faces are parallel if the cosine of the angle between them is at least this.
 constexpr double minCosine = 0.999;
 /// Cuts take time in the square of the number of others.
-constexpr std::size_t mostOthers = 1000;
+constexpr std::size_t maxOthers = 10000;
+/// Heights of a triangle that are larger than the distance of contact by this are far above it.
+constexpr double minHeights = 64;
 
 glm::dvec3 unitNormal(const TrianglePositions& triangle) {
   return glm::normalize(glm::cross(triangle[1] - triangle[0], triangle[2] - triangle[0]));
+}
+
+/// The smallest height of a triangle.
+double heightOf(const TrianglePositions& t) {
+  const double longest = std::max({glm::length(t[1] - t[0]), glm::length(t[2] - t[1]), glm::length(t[0] - t[2])});
+  return glm::length(glm::cross(t[1] - t[0], t[2] - t[0])) / longest;
 }
 
 /// The plane of a triangle: weights, and places in units of length.
@@ -77,23 +85,44 @@ struct Other {
   std::uint32_t number;
   std::array<glm::dvec2, 3> corners;  ///< counter-clockwise as the first triangle is, in its weights
   bool isOpposite;
+  double tolerance;  ///< up to which corners lie on edges
+  glm::dvec2 low, high;
 };
 
-/// The part of a polygon inside another triangle; without corners if there is none. Calls outside(part) for the rest.
+/// The part of a polygon inside another triangle; without corners if there is none. Otherwise calls outside(part) for
+/// the rest.
 template <typename Visit>
-Polygon inside(Polygon polygon, const Plane& plane, const Other& other, double tolerance, const Visit& outside) {
-  for (std::size_t k = 0; k < 3 && !polygon.empty(); ++k) {
-    auto [left, right] = split(polygon, plane, other.corners[k], other.corners[(k + 1) % 3], tolerance);
-    if (!right.empty()) outside(std::move(right));
-    polygon = std::move(left);
+Polygon inside(const Polygon& polygon, const Plane& plane, const Other& other, const Visit& outside) {
+  Polygon left = polygon;
+  std::vector<Polygon> rest;
+  for (std::size_t k = 0; k < 3 && !left.empty(); ++k) {
+    auto [within, beyond] = split(left, plane, other.corners[k], other.corners[(k + 1) % 3], other.tolerance);
+    if (!beyond.empty()) rest.push_back(std::move(beyond));
+    left = std::move(within);
   }
-  return polygon;
+  if (!left.empty())
+    for (Polygon& part : rest) outside(std::move(part));
+  return left;
 }
 
-Other otherOf(const TrianglePositions& triangle, std::uint32_t number, const Plane& plane) {
+/// Whether the boxes around a polygon and a triangle meet, in weights.
+bool mayMeet(const Polygon& polygon, const Other& other) {
+  glm::dvec2 low = polygon[0], high = low;
+  for (const glm::dvec2& corner : polygon) {
+    low = glm::min(low, corner);
+    high = glm::max(high, corner);
+  }
+  return glm::all(glm::lessThanEqual(low, other.high)) && glm::all(glm::greaterThanEqual(high, other.low));
+}
+
+Other otherOf(const TrianglePositions& triangle, std::uint32_t number, const Plane& plane, double tolerance) {
+  const std::array corners{plane.weightsOf(triangle[0]), plane.weightsOf(triangle[1]), plane.weightsOf(triangle[2])};
   Other other{number,
-              {plane.weightsOf(triangle[0]), plane.weightsOf(triangle[1]), plane.weightsOf(triangle[2])},
-              glm::dot(unitNormal(triangle), plane.normal()) < 0};
+              corners,
+              glm::dot(unitNormal(triangle), plane.normal()) < 0,
+              4 * tolerance,
+              glm::min(glm::min(corners[0], corners[1]), corners[2]),
+              glm::max(glm::max(corners[0], corners[1]), corners[2])};
   if (other.isOpposite) std::swap(other.corners[1], other.corners[2]);
   return other;
 }
@@ -109,7 +138,7 @@ bool areInOnePlace(const TrianglePositions& triangle, const TrianglePositions& o
   if (lowest > tolerance || highest < -tolerance) return false;
   const glm::dvec3 normal = unitNormal(other);
   if (std::abs(glm::dot(normal, plane.normal())) < minCosine) return false;
-  const Polygon common = inside(wholeTriangle, plane, otherOf(other, 0, plane), 4 * tolerance, [](const Polygon&) {});
+  const Polygon common = inside(wholeTriangle, plane, otherOf(other, 0, plane, tolerance), [](const Polygon&) {});
   return !common.empty() && std::all_of(common.begin(), common.end(), [&](const glm::dvec2& weights) {
     const auto& [a, b, c] = triangle;
     return std::abs(glm::dot(a + weights.x * (b - a) + weights.y * (c - a) - other[0], normal)) <= tolerance;
@@ -122,16 +151,20 @@ std::vector<ContactPart> contactParts(std::span<const TrianglePositions> triangl
                                       std::uint32_t number, std::span<const std::uint32_t> near, double tolerance) {
   const Plane plane(triangles[number]);
   const auto isSolid = [&](std::uint32_t n) { return shells.kindOf(n) == ShellKind::Solid; };
+  const double height = heightOf(triangles[number]);
   std::vector<Other> others;
-  for (const std::uint32_t n : near)
-    if (n != number && areInOnePlace(triangles[number], triangles[n], plane, tolerance))
-      others.push_back(otherOf(triangles[n], n, plane));
+  for (const std::uint32_t n : near) {
+    const double smallest = std::min(height, heightOf(triangles[n])),
+                 length = std::min(tolerance, smallest / minHeights);
+    if (n != number && areInOnePlace(triangles[number], triangles[n], plane, length))
+      others.push_back(otherOf(triangles[n], n, plane, length));
+  }
   std::sort(others.begin(), others.end(), [](const Other& a, const Other& b) { return a.number < b.number; });
   // Solids back nothing.
   std::erase_if(others, [&](const Other& other) { return other.isOpposite && isSolid(other.number); });
   const bool mayBeCovered =
       std::any_of(others.begin(), others.end(), [](const Other& other) { return !other.isOpposite; });
-  if (others.size() > mostOthers || (isSolid(number) && !mayBeCovered)) others.clear();
+  if (others.size() > maxOthers || (isSolid(number) && !mayBeCovered)) others.clear();
   if (others.empty()) return {};
 
   struct Part {
@@ -143,12 +176,19 @@ std::vector<ContactPart> contactParts(std::span<const TrianglePositions> triangl
   for (const Other& other : others) {
     std::vector<Part> cut;
     for (Part& part : parts) {
-      Part within{inside(part.polygon, plane, other, 4 * tolerance,
+      if (!mayMeet(part.polygon, other)) {
+        cut.push_back(std::move(part));
+        continue;
+      }
+      Part within{inside(part.polygon, plane, other,
                          [&](Polygon polygon) {
                            cut.push_back({std::move(polygon), part.isBacked, part.sameWay});
                          }),
                   part.isBacked || other.isOpposite, part.sameWay};
-      if (within.polygon.empty()) continue;
+      if (within.polygon.empty()) {
+        cut.push_back(std::move(part));
+        continue;
+      }
       if (!other.isOpposite) within.sameWay.push_back(other.number);
       cut.push_back(std::move(within));
     }

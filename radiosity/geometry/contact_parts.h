@@ -9,7 +9,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -33,9 +32,9 @@ struct ContactPart {
 };
 
 /// The parts of triangle `number`, which fill it; one if all of it is in the same contact, and none without contact.
-/// `near` has the numbers of triangles around it, in any order. Faces are in one place if they are parallel and at most `tolerance` apart; corners
-/// within four times that distance of an edge lie on it. A triangle with more than 1,000 others that matter counts as
-/// without contact.
+/// `near` has the numbers of triangles around it, in any order. Faces are in one place if they are parallel and at most
+/// `tolerance` apart; corners within four times that distance of an edge lie on it. A triangle with more than 10,000
+/// others that matter counts as without contact.
 std::vector<ContactPart> contactParts(std::span<const TrianglePositions> triangles, const Shells& shells,
                                       std::uint32_t number, std::span<const std::uint32_t> near, double tolerance);
 

@@ -19,7 +19,7 @@ constexpr std::uint32_t none = UINT32_MAX;
 /// farther off, by the share of a view that their holes fill.
 constexpr double rounding = 1e-6;
 /// The volume of a solid or a room in cubes of its size.
-constexpr double smallestVolume = 1e-9;
+constexpr double minVolume = 1e-9;
 
 /// A triangle at an edge, as a half-edge.
 struct EdgeSide {
@@ -53,16 +53,16 @@ std::vector<EdgeSide> sidesAround(std::span<const TrianglePositions> triangles, 
 }
 
 /// Calls match(a, b) for the half-edges whose triangles bound a wedge behind their fronts. Wedges lie in each other as
-/// brackets do; the second turn closes those that the first one leaves open. Wedges without an inside come last,
+/// brackets do; the second pass closes those that the first one leaves open. Wedges without an inside come last,
 /// because the triangles in one place are sorted so that none closes what another one of them opens.
 template <typename Match>
 void matchBacks(const std::vector<EdgeSide>& sides, const Match& match) {
   std::vector<std::uint32_t> open;
   std::vector<bool> isClosed(sides.size(), false);
-  for (const bool isFirstTurn : {true, false})
+  for (const bool isFirstPass : {true, false})
     for (std::size_t i = 0; i < sides.size(); ++i) {
       if (!sides[i].isAlong) {
-        if (isFirstTurn) open.push_back(sides[i].halfEdge);
+        if (isFirstPass) open.push_back(sides[i].halfEdge);
       } else if (!open.empty() && !isClosed[i]) {
         match(open.back(), sides[i].halfEdge);
         isClosed[i] = true;
@@ -143,7 +143,7 @@ double sumOf(const Part& part, const std::vector<bool>& isTurnedOver, const Valu
 
 bool isClosed(std::span<const TrianglePositions> triangles, const std::vector<bool>& isTurnedOver, const Part& part) {
   if (part.borderLength == 0) return true;
-  // So the last digits of the arc tangents do not matter.
+  // The bound is far above the rounding of arc tangents, which differs between machines.
   const std::array places{glm::dvec3(0.73, 0.61, 0.57), glm::dvec3(-0.59, 0.67, -0.71)};
   return std::all_of(places.begin(), places.end(), [&](const glm::dvec3& place) {
     const glm::dvec3 eye = part.middle() + part.size() * place;
@@ -152,14 +152,16 @@ bool isClosed(std::span<const TrianglePositions> triangles, const std::vector<bo
   });
 }
 
-ShellKind kindOf(std::span<const TrianglePositions> triangles, const std::vector<bool>& isTurnedOver,
-                 const Part& part) {
+double volumeOf(std::span<const TrianglePositions> triangles, const std::vector<bool>& isTurnedOver, const Part& part) {
   const glm::dvec3 apex = part.borderLength > 0 ? part.borders / part.borderLength : part.middle();
-  const double volume = sumOf(part, isTurnedOver, [&](std::uint32_t t) {
+  return sumOf(part, isTurnedOver, [&](std::uint32_t t) {
     const auto& [a, b, c] = triangles[t];
     return glm::dot(a - apex, glm::cross(b - apex, c - apex)) / 6;
   });
-  if (std::abs(volume) <= smallestVolume * part.size() * part.size() * part.size()) return ShellKind::Sheet;
+}
+
+ShellKind kindOf(double volume, const Part& part) {
+  if (std::abs(volume) <= minVolume * part.size() * part.size() * part.size()) return ShellKind::Sheet;
   return volume > 0 ? ShellKind::Solid : ShellKind::Room;
 }
 
@@ -197,7 +199,8 @@ Shells findShells(std::span<const TrianglePositions> triangles) {
     }
   }
   for (const Part& part : parts) {
-    shells.kinds.push_back(kindOf(triangles, shells.isTurnedOver, part));
+    shells.volumes.push_back(volumeOf(triangles, shells.isTurnedOver, part));
+    shells.kinds.push_back(kindOf(shells.volumes.back(), part));
     shells.isClosed.push_back(isClosed(triangles, shells.isTurnedOver, part));
   }
   return shells;

@@ -19,7 +19,7 @@
 
 namespace hemitex::radiosity {
 
-/// What a shell is; an open one when its border is closed towards the middle of the border.
+/// What a shell is. An open one counts with a cone from its border to the middle of its border.
 enum class ShellKind {
   Sheet,  ///< without volume
   Solid,  ///< with fronts outside
@@ -30,6 +30,7 @@ struct Shells {
   std::vector<std::uint32_t> ofTriangle;
   std::vector<bool> isTurnedOver;  ///< of each triangle
   std::vector<ShellKind> kinds;    ///< of each shell
+  std::vector<double> volumes;     ///< of each shell, negative for rooms
   std::vector<bool> isClosed;      ///< of each shell
 
   ShellKind kindOf(std::uint32_t triangle) const { return kinds[ofTriangle[triangle]]; }

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstdlib>
 #include <map>
-#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -21,7 +20,9 @@ namespace {
 
 /// Chart coordinates are multiples of it.
 constexpr double chartUnit = 0x1p-24;
-constexpr std::size_t mostWarnings = 5;
+constexpr std::size_t maxWarnings = 5;
+/// Rooms are compared with all shells.
+constexpr std::size_t maxRooms = 200;
 
 /// The triangles of a scene, by number.
 struct NumberedTriangles {
@@ -75,12 +76,12 @@ bool keepsArea(const Triangle& triangle) {
          hasArea(inSpace(triangle.chart[0]), inSpace(triangle.chart[1]), inSpace(triangle.chart[2]));
 }
 
-/// Appends what is left of a triangle, and the covered parts of solids.
+/// Appends what is left of a triangle, and the covered parts of closed shells.
 void appendParts(const Triangle& whole, const std::vector<ContactPart>& parts, std::vector<Triangle>& left,
                  std::vector<Triangle>& covered) {
   if (parts.empty()) left.push_back(whole);
   for (const ContactPart& part : parts) {
-    if (part.contact.coveredBy && whole.solid == 0) continue;
+    if (part.contact.coveredBy && whole.shell == 0) continue;
     std::vector<Triangle>& triangles = part.contact.coveredBy ? covered : left;
     for (std::size_t k = 2; k < part.corners.size(); ++k) {
       Triangle triangle =
@@ -93,18 +94,18 @@ void appendParts(const Triangle& whole, const std::vector<ContactPart>& parts, s
 
 std::string quoted(const Surface& surface) { return "`" + raster::excerpt(surface.name) + "`"; }
 
-/// One sentence for each pair of surfaces in one place, and one for the rest if there are many.
-std::vector<std::string> coverWarnings(const Scene& scene,
-                                       const std::set<std::pair<std::uint32_t, std::uint32_t>>& pairs) {
+/// One sentence for each pair of groups in one place, and one for the rest if there are many.
+std::vector<std::string> coverWarnings(const std::set<std::pair<std::string, std::string>>& pairs) {
   std::vector<std::string> warnings;
   for (const auto& [covered, by] : pairs) {
-    if (warnings.size() == mostWarnings) {
-      warnings.push_back("faces of " + std::to_string(pairs.size() - mostWarnings) +
-                         " more pairs of surfaces lie in one place; the last one covers");
+    if (warnings.size() == maxWarnings) {
+      warnings.push_back("faces of " + std::to_string(pairs.size() - maxWarnings) +
+                         " more pairs of groups lie in one place; the last one covers");
       break;
     }
-    warnings.push_back(quoted(scene.surfaces[by]) + " covers " + quoted(scene.surfaces[covered]) +
-                       " where both lie in one place and face the same way, because it comes later in the file");
+    const std::string of = by == covered ? "itself" : "`" + raster::excerpt(covered) + "`";
+    warnings.push_back("`" + raster::excerpt(by) + "` covers " + of +
+                       " where both lie in one place and face the same way, because the later face covers");
   }
   return warnings;
 }
@@ -125,10 +126,10 @@ std::vector<std::string> turnedWarnings(const Scene& scene, const NumberedTriang
 /// Whether a sample of the triangles of a room sees fronts on the outside, which belong to nothing in the room.
 bool isLookedAtFromOutside(const Scene& scene, const NumberedTriangles& triangles,
                            const std::vector<std::uint32_t>& room, const RayTree& tree) {
-  constexpr std::size_t mostSamples = 64, smallestShare = 8;
+  constexpr std::size_t maxSamples = 64, minShare = 8;
   std::size_t rays = 0, fronts = 0;
-  for (std::size_t i = 0; i < std::min(room.size(), mostSamples); ++i) {
-    const auto& [a, b, c] = triangles.positions[room[i * room.size() / std::min(room.size(), mostSamples)]];
+  for (std::size_t i = 0; i < std::min(room.size(), maxSamples); ++i) {
+    const auto& [a, b, c] = triangles.positions[room[i * room.size() / std::min(room.size(), maxSamples)]];
     const glm::dvec3 out = -glm::normalize(glm::cross(b - a, c - a)), along = glm::normalize(b - a);
     for (const glm::dvec3& tilt : {along, -along, glm::cross(out, along), -glm::cross(out, along)}) {
       const auto hit = tree.firstHit((a + b + c) / 3.0 + contactTolerance(scene) * out, out + tilt);
@@ -136,7 +137,7 @@ bool isLookedAtFromOutside(const Scene& scene, const NumberedTriangles& triangle
       if (hit && hit->isFront) ++fronts;
     }
   }
-  return smallestShare * fronts > rays;
+  return minShare * fronts > rays;
 }
 
 /// The rooms in which nothing is, and which are seen from outside: solids of which all faces are turned over.
@@ -153,13 +154,15 @@ std::vector<std::string> emptyRoomWarnings(const Scene& scene, const NumberedTri
            glm::all(glm::lessThanEqual(inner.high, outer.high));
   };
   std::vector<std::string> warnings;
-  for (std::size_t room = 0; room < ofShells.size() && warnings.size() < mostWarnings; ++room) {
+  std::size_t rooms = 0;
+  for (std::size_t room = 0; room < ofShells.size() && warnings.size() < maxWarnings && rooms < maxRooms; ++room) {
     if (shells.kinds[room] != ShellKind::Room || !shells.isClosed[room]) continue;
     const auto emits = [&](std::uint32_t t) {
       const Surface& surface = scene.surfaces[triangles.surfaces[t]];
       return scene.materials[static_cast<std::size_t>(surface.material)].emission != glm::dvec3(0);
     };
     if (std::any_of(ofShells[room].begin(), ofShells[room].end(), emits)) continue;
+    ++rooms;
     bool isEmpty = true;
     for (std::size_t other = 0; other < ofShells.size() && isEmpty; ++other)
       isEmpty = other == room || !isIn(bounds[other], bounds[room]);
@@ -170,17 +173,6 @@ std::vector<std::string> emptyRoomWarnings(const Scene& scene, const NumberedTri
                        "turns it over");
   }
   return warnings;
-}
-
-/// Whether a ray meets the front of a triangle, or the back; nothing if it misses it (Moeller and Trumbore 1997).
-std::optional<bool> sideMet(const Triangle& triangle, const glm::dvec3& origin, const glm::dvec3& direction) {
-  const glm::dvec3 along1 = triangle.position[1] - triangle.position[0],
-                   along2 = triangle.position[2] - triangle.position[0], offset = origin - triangle.position[0];
-  const glm::dvec3 p = glm::cross(direction, along2), q = glm::cross(offset, along1);
-  const double determinant = glm::dot(along1, p);
-  const double u = glm::dot(offset, p) / determinant, v = glm::dot(direction, q) / determinant;
-  if (!(u >= 0 && v >= 0 && u + v <= 1 && glm::dot(along2, q) / determinant > 0)) return std::nullopt;
-  return determinant > 0;
 }
 
 /// Directions of rays, off the axes and the diagonals of boxes.
@@ -196,30 +188,36 @@ void resolveContacts(Scene& scene) {
   const auto warn = [&](const std::vector<std::string>& warnings) {
     scene.warnings.insert(scene.warnings.end(), warnings.begin(), warnings.end());
   };
+  std::vector<std::int32_t> closed;  // the number of each shell, or 0
+  for (std::size_t shell = 0; shell < shells.kinds.size(); ++shell) {
+    const bool isCounted = shells.isClosed[shell] && shells.kinds[shell] != ShellKind::Sheet;
+    if (isCounted) scene.shellVolumes.push_back(shells.volumes[shell]);
+    closed.push_back(isCounted ? static_cast<std::int32_t>(scene.shellVolumes.size()) : 0);
+  }
   std::size_t t = 0;
   for (Surface& surface : scene.surfaces)
     for (Triangle& triangle : surface.triangles) {
-      const std::uint32_t shell = shells.ofTriangle[t];
-      if (shells.isClosed[shell] && shells.kinds[shell] == ShellKind::Solid)
-        triangle.solid = (shells.isTurnedOver[t] ? -1 : 1) * (static_cast<std::int32_t>(shell) + 1);
+      triangle.shell = (shells.isTurnedOver[t] ? -1 : 1) * closed[shells.ofTriangle[t]];
       ++t;
     }
   warn(turnedWarnings(scene, triangles, shells));
   warn(emptyRoomWarnings(scene, triangles, shells, tree));
   const std::vector<std::vector<ContactPart>> parts = partsInContact(scene, triangles, shells, tree);
-  std::set<std::pair<std::uint32_t, std::uint32_t>> covered;
+  std::set<std::pair<std::string, std::string>> covered;  // the families of the covered one and the other
   std::size_t number = 0;
   for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s) {
     std::vector<Triangle> left;
     for (const Triangle& triangle : scene.surfaces[s].triangles) {
       appendParts(triangle, parts[number], left, scene.covered);
       for (const ContactPart& part : parts[number])
-        if (part.contact.coveredBy) covered.insert({s, triangles.surfaces[*part.contact.coveredBy]});
+        if (part.contact.coveredBy)
+          covered.insert(
+              {scene.surfaces[s].family, scene.surfaces[triangles.surfaces[*part.contact.coveredBy]].family});
       ++number;
     }
     scene.surfaces[s].triangles = std::move(left);
   }
-  warn(coverWarnings(scene, covered));
+  warn(coverWarnings(covered));
   std::erase_if(scene.surfaces, [](const Surface& surface) { return surface.triangles.empty(); });
 }
 
@@ -235,29 +233,21 @@ void findBacked(Scene& scene) {
     }
 }
 
-Solids::Solids(const Scene& scene, const RayTree& rays)
-    : scene_(scene),
-      rays_(rays),
-      hasSolid_(std::any_of(scene.surfaces.begin(), scene.surfaces.end(), [](const Surface& surface) {
-        return std::any_of(surface.triangles.begin(), surface.triangles.end(),
-                           [](const Triangle& triangle) { return triangle.solid != 0; });
-      })) {}
-
 bool Solids::contain(const glm::dvec3& point) const {
-  if (!hasSolid_) return false;
+  if (scene_.shellVolumes.empty()) return false;
   const auto isInside = [&](const glm::dvec3& direction) {
-    std::map<std::pair<std::uint32_t, std::int32_t>, int> windings;  // by instance and solid
-    const auto meet = [&](std::uint32_t instance, std::int32_t solid, bool isFront) {
-      if (solid != 0) windings[{instance, std::abs(solid)}] += isFront == (solid > 0) ? -1 : 1;
-    };
+    std::map<std::pair<std::int32_t, std::uint32_t>, int> windings;  // by shell and instance
     rays_.visitHits(point, direction, [&](const TriangleHit& hit) {
-      meet(hit.instance, scene_.surfaces[hit.surface].triangles[hit.triangle].solid, hit.isFront);
+      if (hit.shell != 0) windings[{std::abs(hit.shell), hit.instance}] += hit.isFront == (hit.shell > 0) ? -1 : 1;
     });
-    for (std::uint32_t i = 0; i < scene_.instances.size(); ++i)
-      for (const Triangle& triangle : scene_.covered)
-        if (const auto front = sideMet(placed(triangle, scene_.instances[i]), point, direction))
-          meet(i, triangle.solid, *front);
-    return std::any_of(windings.begin(), windings.end(), [](const auto& winding) { return winding.second > 0; });
+    double smallest = 0;
+    for (const auto& [key, winding] : windings) {
+      const double volume = scene_.shellVolumes[static_cast<std::size_t>(key.first) - 1];
+      const double size = std::abs(volume), known = std::abs(smallest);
+      const bool isIn = volume > 0 ? winding > 0 : winding < 0;
+      if (isIn && (smallest == 0 || size < known || (size == known && volume < 0))) smallest = volume;
+    }
+    return smallest > 0;
   };
   return std::count_if(directions.begin(), directions.end(), isInside) > 1;
 }

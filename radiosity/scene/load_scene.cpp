@@ -197,8 +197,8 @@ Surface backOf(const Surface& front) {
   return back;
 }
 
-/// Gives some surfaces, by their numbers, a surface on the other side, unless all of it is backed. Those of an object are an object of their own,
-/// because programs take faces with equal corners in one mesh for a fault.
+/// Gives some surfaces, by their numbers, a surface on the other side, unless all of it is backed. Those of an object
+/// are an object of their own, because programs take faces with equal corners in one mesh for a fault.
 void addBacks(Scene& scene, const std::vector<std::uint32_t>& numbers) {
   std::vector<Surface>& surfaces = scene.surfaces;
   std::map<int, int> backObjects;

@@ -50,7 +50,8 @@ bool emits(const Scene& scene, std::uint32_t surface) {
   return scene.materials[static_cast<std::size_t>(scene.surfaces[surface].material)].emission != glm::dvec3(0);
 }
 
-/// The surfaces with visible backs that belong to components with a border, except emitters.
+/// The surfaces with visible backs that belong to components with a border, except emitters and closed shells, whose
+/// borders come from contacts.
 std::vector<std::uint32_t> openSurfaces(const Scene& scene) {
   std::vector<TrianglePositions> positions;
   std::vector<std::uint32_t> owners;
@@ -59,7 +60,7 @@ std::vector<std::uint32_t> openSurfaces(const Scene& scene) {
     for (const Triangle& triangle : scene.surfaces[s].triangles) {
       positions.push_back(triangle.position);
       owners.push_back(s);
-      hasBack.push_back(!triangle.isBacked);
+      hasBack.push_back(!triangle.isBacked && triangle.shell == 0);
     }
   }
   const MeshEdges edges = findEdges(positions);

@@ -87,12 +87,18 @@ glm::dvec3 inverseOf(const glm::dvec3& direction) {
 }  // namespace
 
 RayTree::RayTree(const Scene& scene) : touching_(contactTolerance(scene)) {
+  const auto add = [&](const std::array<glm::dvec3, 3>& corners, const TrianglePlace& place, const Triangle& triangle,
+                       bool isHidden) {
+    const auto& [a, b, c] = corners;
+    leaves_.push_back({a, b - a, c - a, place, static_cast<std::uint32_t>(leaves_.size()), triangle.isBacked,
+                       scene.instances[place.instance].reflects(), triangle.shell, isHidden});
+  };
   forEachPlace(scene, [&](const TrianglePlace& place) {
-    const auto [a, b, c] = placedCorners(scene, place);
-    leaves_.push_back({a, b - a, c - a, place, static_cast<std::uint32_t>(leaves_.size()),
-                       scene.surfaces[place.surface].triangles[place.triangle].isBacked,
-                       scene.instances[place.instance].reflects()});
+    add(placedCorners(scene, place), place, scene.surfaces[place.surface].triangles[place.triangle], false);
   });
+  for (std::uint32_t i = 0; i < scene.instances.size(); ++i)
+    for (const Triangle& triangle : scene.covered)
+      add(placed(triangle, scene.instances[i]).position, {i, noSurface, 0}, triangle, true);
   if (!leaves_.empty()) build(0, static_cast<std::uint32_t>(leaves_.size()), 0);
 }
 
@@ -194,7 +200,8 @@ void RayTree::trace(const glm::dvec3& origin, const glm::dvec3& direction, doubl
                            .weights = leaf.isReflected ? glm::dvec2(v, u) : glm::dvec2(u, v),
                            .distance = t,
                            .isFront = determinant > 0,
-                           .instance = leaf.place.instance},
+                           .instance = leaf.place.instance,
+                           .shell = leaf.shell},
                leaf, last);
       });
 }
@@ -204,7 +211,7 @@ std::optional<TriangleHit> RayTree::firstHit(const glm::dvec3& origin, const glm
   double reach = 0;  // how far the ray goes beyond the front until the touching distance from its plane
   trace(origin, direction, std::numeric_limits<double>::infinity(),
         [&](const TriangleHit& hit, const Leaf& leaf, double& end) {
-          if (!hit.isFront && leaf.isBacked) return;
+          if (leaf.isHidden || (!hit.isFront && leaf.isBacked)) return;
           std::optional<TriangleHit>& nearest = hit.isFront ? front : back;
           const auto order = [](const TriangleHit& of) {
             return std::tuple(of.distance, of.instance, of.surface, of.triangle);
@@ -241,7 +248,7 @@ void RayTree::appendNear(const glm::dvec3& low, const glm::dvec3& high, std::vec
         return !isLeftOut && isNear(node.corners[0], node.corners[1]) ? 0 : end;
       },
       [&](const Leaf& leaf, double&) {
-        if (except != noSurface && leaf.firstSurface() == except) return;
+        if (leaf.isHidden || (except != noSurface && leaf.firstSurface() == except)) return;
         const glm::dvec3 b = leaf.corner + leaf.along1, c = leaf.corner + leaf.along2;
         if (isNear(glm::min(glm::min(leaf.corner, b), c), glm::max(glm::max(leaf.corner, b), c)))
           numbers.push_back(leaf.number);
@@ -252,7 +259,8 @@ bool RayTree::meetsBack(const glm::dvec3& origin, const glm::dvec3& direction, d
   bool isFound = false;
   trace(origin, direction, distance, [&](const TriangleHit& hit, const Leaf& leaf, double& end) {
     const glm::dvec3 normal = glm::normalize(glm::cross(leaf.along1, leaf.along2));
-    if (hit.isFront || leaf.isBacked || glm::dot(normal, direction) < cosine * glm::length(direction)) return;
+    if (leaf.isHidden || hit.isFront || leaf.isBacked || glm::dot(normal, direction) < cosine * glm::length(direction))
+      return;
     isFound = true;
     end = 0;
   });

@@ -21,6 +21,7 @@ struct TriangleHit {
   double distance = 0;                      ///< in lengths of the ray's direction
   bool isFront = false;                     ///< whether the ray meets the front of the triangle
   std::uint32_t instance = 0;               ///< in Scene::instances
+  std::int32_t shell = 0;                   ///< of the triangle
 };
 
 class RayTree {
@@ -34,7 +35,8 @@ class RayTree {
   /// Whether the ray meets the back of a triangle that faces along it, up to a distance in lengths of its direction.
   /// "Along" means that the cosine of the angle between the normal and the ray is at least `cosine`.
   bool meetsBack(const glm::dvec3& origin, const glm::dvec3& direction, double distance, double cosine) const;
-  /// Calls visit(hit) for all triangles that a ray meets, in any order, also for backs that nobody sees.
+  /// Calls visit(hit) for all triangles that a ray meets, in any order, also for backs that nobody sees and for
+  /// Scene::covered, which have no surface.
   void visitHits(const glm::dvec3& origin, const glm::dvec3& direction,
                  const std::function<void(const TriangleHit&)>& visit) const;
   /// Appends the numbers of the triangles whose boxes intersect the box [low, high], in any order, except those of one
@@ -50,6 +52,8 @@ class RayTree {
     TrianglePlace place;
     std::uint32_t number;
     bool isBacked, isReflected;
+    std::int32_t shell;
+    bool isHidden;  ///< one of Scene::covered
 
     /// The surface of a triangle of the first instance.
     std::uint32_t firstSurface() const { return place.instance == 0 ? place.surface : noSurface; }

@@ -64,9 +64,9 @@ struct Triangle {
   std::uint32_t polygon = 0;  ///< the face of the file that contains the triangle, counted from 0 over the file
   /// Whether another face lies on the back and shows its front there, so that nobody sees the back (see contacts.h).
   bool isBacked = false;
-  /// The closed solid of the file to which the triangle belongs, from 1; negative if it looks inwards there by mistake;
-  /// 0 for none.
-  std::int32_t solid = 0;
+  /// The closed shell of the file to which the triangle belongs, from 1; negative if it looks the other way there by
+  /// mistake; 0 for none.
+  std::int32_t shell = 0;
 };
 
 struct Surface {
@@ -117,8 +117,9 @@ struct Scene {
   OutsideLight outside = {};               ///< not part of the file
   std::vector<std::string> warnings;       ///< one sentence each, for the user
   std::optional<SceneCamera> camera = {};  ///< OBJ files have none
-  /// The parts of solids that other faces cover, which no surface has.
+  /// The parts of closed shells that other faces cover, which no surface has.
   std::vector<Triangle> covered = {};
+  std::vector<double> shellVolumes = {};  ///< of each closed shell, from 1 on: of solids positive, of rooms negative
   /// Those of the file, some without surfaces; then the backs of two-sided ones, named `/back`, with the same parents.
   std::vector<SceneObject> objects = {};
   std::vector<std::filesystem::path> files = {};  ///< all that were read: the scene, its materials, images and buffers

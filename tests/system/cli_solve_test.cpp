@@ -320,8 +320,8 @@ TEST_CASE("hemitex solve of a dark scene names the three largest surfaces, and i
   const Shell shell;
   // Four triangles with the areas 1, 4, 9 and 4.
   writeAll(shell.file("dark.obj"),
-           "v 0 0 0\nv 2 0 0\nv 0 1 0\nv 4 0 0\nv 0 2 0\nv 6 0 0\nv 0 3 0\n"
-           "g one\nf 1 2 3\ng two\nf 1 4 5\ng big one\nf 1 6 7\ng four\nf 1 5 4\n");
+           "v 0 0 0\nv 2 0 0\nv 0 1 0\nv 0 0 1\nv 4 0 1\nv 0 2 1\nv 0 0 2\nv 6 0 2\nv 0 3 2\n"
+           "g one\nf 1 2 3\ng two\nf 4 5 6\ng big one\nf 7 8 9\ng four\nf 4 6 5\n");
   const Outcome outcome = shell.run("solve dark.obj -o out");
   CHECK(outcome.exitCode == 2);
   const std::string option = "--emit 'big one=10,10,10'";

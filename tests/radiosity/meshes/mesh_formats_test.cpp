@@ -337,7 +337,8 @@ TEST_CASE("loadScene with facets makes a surface of each face, named by its numb
   const TemporaryFolder folder;
   // The second face has no area, and the fourth repeats the first.
   writeAll(folder.path / "a.obj",
-           "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\ng floor\nf 1 2 3\nf 1 2 2\nf 1 3 4\nf 1 2 3\nf 1 2 3 4\n");
+           "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n"
+           "g floor\nf 1 2 3\nf 1 2 2\nf 1 3 4\nf 1 2 3\nf 5 6 7 8\n");
   const Scene scene = loadScene(folder.path / "a.obj", {.facets = true});
   CHECK(scene.faces == 5);
   REQUIRE(scene.surfaces.size() == 3);

@@ -201,6 +201,55 @@ TEST_CASE("Solids in solids, and solids that are pushed through others, hide wha
       });
 }
 
+TEST_CASE("A room in a closed outer skin is lit as if alone, also where both skins coincide", "[contacts]") {
+  for (const double thickness : {0.2, 0.0})
+    for (const Standing& place : places)
+      forEachOrder(
+          [&] {
+            BoxText text = zones(false);
+            text.begin("skin");
+            text.addBox(glm::dvec3(-thickness), glm::dvec3(4, 3, 5) + thickness, false);
+            text.begin("box");
+            text.addBox({1, 0, 1}, {2, 1, 2}, false);
+            return text;
+          }(),
+          [&](const BoxText& text) {
+            INFO(thickness << ' ' << place.name << ", " << text.parts[0].name << " first");
+            const Solved room = solved(text, place);
+            CHECK(room.lit.at("A").area == Approx(94 - 1).epsilon(1e-6));
+            CHECK(room.lit.at("A").mean() > 0.1);
+            CHECK(room.lostToBacks < 0.002);
+          });
+}
+
+TEST_CASE("A fine mesh in a large scene keeps its faces", "[contacts]") {
+  // The distance of contact is 1.3 mm, and quads are 2 mm wide.
+  BoxText text;
+  text.begin("ground");
+  text.addQuad({{{-1000, 0, 1000}, {1000, 0, 1000}, {1000, 0, -1000}, {-1000, 0, -1000}}});
+  text.begin("plate");
+  for (int i = 0; i < 20; ++i)
+    for (int j = 0; j < 20; ++j) {
+      const glm::dvec3 corner(0.002 * i, 1, 0.002 * j), x(0.002, 0, 0), z(0, 0, 0.002);
+      text.addQuad({corner, corner + z, corner + x + z, corner + x});
+    }
+  const Scene scene = text.load();
+  double plate = 0;
+  for (const Surface& surface : scene.surfaces)
+    if (surface.family == "plate") plate += area(surface);
+  CHECK(plate == Approx(0.04 * 0.04).epsilon(1e-9));
+  CHECK(scene.warnings.empty());
+}
+
+TEST_CASE("What stands on the back of a sheet gets no light from beyond it", "[contacts]") {
+  BoxText text;
+  text.begin("table");
+  text.addQuad({{{-2, 0, 2}, {2, 0, 2}, {2, 0, -2}, {-2, 0, -2}}});
+  text.begin("box", "lamp");
+  text.addBox({-.5, 0, -.5}, {.5, 1, .5}, false);
+  for (const double sky : {0.0, 1.0}) CHECK(solved(text, places[0], glm::dvec3(sky)).lit.at("box").area == Approx(5));
+}
+
 TEST_CASE("A house that is turned over is named, and leaves the ground lit", "[contacts]") {
   for (const bool isInward : {true, false}) {
     BoxText text;

