@@ -15,6 +15,8 @@ using Polygon = std::vector<glm::dvec2>;  ///< convex, counter-clockwise, in wei
 
 /// Faces are parallel if the cosine of the angle between them is at least this.
 constexpr double minCosine = 0.999;
+/// By which share volumes of equal shells differ at most.
+constexpr double volumeRounding = 1e-6;
 /// Cuts take time in the square of the number of others.
 constexpr std::size_t maxOthers = 10000;
 /// Heights of a triangle that are larger than the distance of contact by this are far above it.
@@ -129,6 +131,16 @@ Other otherOf(const TrianglePositions& triangle, std::uint32_t number, const Pla
 
 const Polygon wholeTriangle{{0, 0}, {1, 0}, {0, 1}};
 
+/// Whether the solid of a triangle stands on another one in the same place, instead of being the outer skin of its
+/// room.
+bool standsOn(const Shells& shells, std::uint32_t triangle, std::uint32_t other) {
+  const std::uint32_t own = shells.ofTriangle[triangle], room = shells.ofTriangle[other];
+  if (shells.kinds[own] != ShellKind::Solid) return false;
+  const bool isSkin = shells.isClosed[own] && shells.isClosed[room] && shells.kinds[room] == ShellKind::Room &&
+                      shells.volumes[own] >= -(1 - volumeRounding) * shells.volumes[room];
+  return !isSkin;
+}
+
 /// Whether two triangles have a place in common. `plane` is that of the first one.
 bool areInOnePlace(const TrianglePositions& triangle, const TrianglePositions& other, const Plane& plane,
                    double tolerance) {
@@ -160,16 +172,17 @@ std::vector<ContactPart> contactParts(std::span<const TrianglePositions> triangl
       others.push_back(otherOf(triangles[n], n, plane, length));
   }
   std::sort(others.begin(), others.end(), [](const Other& a, const Other& b) { return a.number < b.number; });
-  // Solids back nothing.
-  std::erase_if(others, [&](const Other& other) { return other.isOpposite && isSolid(other.number); });
-  const bool mayBeCovered =
-      std::any_of(others.begin(), others.end(), [](const Other& other) { return !other.isOpposite; });
-  if (others.size() > maxOthers || (isSolid(number) && !mayBeCovered)) others.clear();
+  // What stands on this triangle backs nothing.
+  std::erase_if(others, [&](const Other& other) { return other.isOpposite && standsOn(shells, other.number, number); });
+  const bool matters = std::any_of(others.begin(), others.end(), [&](const Other& other) {
+    return !other.isOpposite || !standsOn(shells, number, other.number);
+  });
+  if (others.size() > maxOthers || !matters) others.clear();
   if (others.empty()) return {};
 
   struct Part {
     Polygon polygon;
-    bool isBacked = false;
+    bool isBacked = false, isOpposed = false;
     std::vector<std::uint32_t> sameWay = {};
   };
   std::vector<Part> parts{{wholeTriangle}};
@@ -180,15 +193,17 @@ std::vector<ContactPart> contactParts(std::span<const TrianglePositions> triangl
         cut.push_back(std::move(part));
         continue;
       }
-      Part within{inside(part.polygon, plane, other,
-                         [&](Polygon polygon) {
-                           cut.push_back({std::move(polygon), part.isBacked, part.sameWay});
-                         }),
-                  part.isBacked || other.isOpposite, part.sameWay};
+      Part within = part;
+      within.polygon = inside(part.polygon, plane, other, [&](Polygon polygon) {
+        cut.push_back(part);
+        cut.back().polygon = std::move(polygon);
+      });
       if (within.polygon.empty()) {
         cut.push_back(std::move(part));
         continue;
       }
+      within.isOpposed = within.isOpposed || other.isOpposite;
+      within.isBacked = within.isBacked || (other.isOpposite && !standsOn(shells, number, other.number));
       if (!other.isOpposite) within.sameWay.push_back(other.number);
       cut.push_back(std::move(within));
     }
@@ -196,13 +211,13 @@ std::vector<ContactPart> contactParts(std::span<const TrianglePositions> triangl
   }
 
   // The front of a solid comes before all others if it stands on something: the last one covers.
-  const auto rank = [&](std::uint32_t n, bool isBacked) { return std::pair(!(isBacked && isSolid(n)), n); };
+  const auto rank = [&](std::uint32_t n, bool isOpposed) { return std::pair(!(isOpposed && isSolid(n)), n); };
   std::vector<ContactPart> result;
   for (Part& part : parts) {
-    Contact contact{.isBacked = part.isBacked && !isSolid(number)};
+    Contact contact{.isBacked = part.isBacked};
     std::uint32_t last = number;
     for (const std::uint32_t n : part.sameWay)
-      if (rank(n, part.isBacked) > rank(last, part.isBacked)) last = n;
+      if (rank(n, part.isOpposed) > rank(last, part.isOpposed)) last = n;
     if (last != number) contact.coveredBy = last;
     result.push_back({std::move(part.polygon), contact});
   }

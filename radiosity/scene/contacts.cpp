@@ -175,6 +175,10 @@ std::vector<std::string> emptyRoomWarnings(const Scene& scene, const NumberedTri
   return warnings;
 }
 
+/// Of equal volumes, which differ by their rounding, that of a room counts as smaller: both skins of its walls
+/// coincide.
+constexpr double volumeRounding = 1e-6;
+
 /// Directions of rays, off the axes and the diagonals of boxes.
 constexpr std::array directions{glm::dvec3(0.267, 0.911, 0.314), glm::dvec3(-0.872, 0.179, 0.456),
                                 glm::dvec3(0.401, -0.338, -0.852)};
@@ -245,7 +249,8 @@ bool Solids::contain(const glm::dvec3& point) const {
       const double volume = scene_.shellVolumes[static_cast<std::size_t>(key.first) - 1];
       const double size = std::abs(volume), known = std::abs(smallest);
       const bool isIn = volume > 0 ? winding > 0 : winding < 0;
-      if (isIn && (smallest == 0 || size < known || (size == known && volume < 0))) smallest = volume;
+      const double bound = volume < 0 ? 1 + volumeRounding : 1 - volumeRounding;
+      if (isIn && (smallest == 0 || size < bound * known)) smallest = volume;
     }
     return smallest > 0;
   };
