@@ -78,7 +78,7 @@ TEST_CASE("findShells does not depend on how one side is divided", "[shells]") {
 }
 
 TEST_CASE("findShells names the faces that look the other way", "[shells]") {
-  for (const std::size_t first : {0, 6}) {
+  for (const std::size_t first : {std::size_t{0}, std::size_t{6}}) {
     Triangles triangles = box({0, 0, 0}, {3, 1, 2});
     std::swap(triangles[first][1], triangles[first][2]);
     std::swap(triangles[first + 1][1], triangles[first + 1][2]);
