@@ -133,31 +133,17 @@ void tellCaptured(const RowMethod& method, Console& console) {
                     " of the light; the rest counts as leaving the scene");
 }
 
-/// The rows of which backs take more than 1 %: faces may be turned over.
-class BackShares {
- public:
-  void add(const std::string& row, double share) {
-    if (share <= limit) return;
-    ++count_;
-    if (share > largest_) {
-      largest_ = share;
-      row_ = row;
-    }
-  }
-  void warn(Console& console) const {
-    if (count_ == 0) return;
-    const std::string rows = count_ == 1 ? "a row" : std::to_string(count_) + " rows";
-    console.warning("backs of faces take more than 1 % of " + rows + ", most of the row of " + row_ + ": " +
-                    percentText(largest_) +
-                    "; a face may be turned over (--flip), or part of a surface lies inside a solid");
-  }
-
- private:
-  static constexpr double limit = 0.01;
-  std::size_t count_ = 0;
-  double largest_ = 0;
-  std::string row_;
-};
+/// Warns of rows of which backs take more than 1 %: faces may be turned over. `backs` has the share of each row.
+void warnOfBacks(const std::vector<double>& backs, const std::vector<std::string>& names, Console& console) {
+  constexpr double limit = 0.01;
+  const auto most = std::max_element(backs.begin(), backs.end());
+  if (most == backs.end() || *most <= limit) return;
+  const auto rows = std::count_if(backs.begin(), backs.end(), [&](double share) { return share > limit; });
+  console.warning("backs of faces take more than 1 % of " + (rows == 1 ? "a row" : std::to_string(rows) + " rows") +
+                  ", most of the row of " + names[static_cast<std::size_t>(most - backs.begin())] + ": " +
+                  percentText(*most) +
+                  "; a face may be turned over (--flip), or part of a surface lies inside a solid");
+}
 
 void printRow(const FormFactorOptions& options, Context& context, const radiosity::Scene& scene,
               const radiosity::Discretization& discretization) {
@@ -174,9 +160,7 @@ void printRow(const FormFactorOptions& options, Context& context, const radiosit
                                                roundedText(*outside.surroundings) +
                                                "; the share that meets backs of faces is " + roundedText(*outside.backs)
                                          : blockersIgnored));
-  BackShares backs;
-  backs.add(options.from, outside.backs.value_or(0));
-  backs.warn(context.console);
+  warnOfBacks({outside.backs.value_or(0)}, {options.from}, context.console);
   const auto names = [&](std::size_t family) -> std::vector<Cell> {
     return {families.names[family], receivers.area[family]};
   };
@@ -408,11 +392,10 @@ void writeMatrix(const FormFactorOptions& options, Context& context, const radio
   if (!file) return forEachRow(method, families, nullptr, context, {});
   reference::MatrixHeading heading = headingOf(families, receivers);
   heading.hasErrors = options.maxError || options.method == "rays";
-  BackShares backs;
-  std::size_t number = 0;
+  std::vector<double> backs;
   MatrixOutput matrix(file->staging().file(), heading, options.smooth, [&](const SparseRow& row, double error) {
     const auto place = row.placeOf(families.names.size() + 1);
-    backs.add(families.names[number++], place ? row.value[*place] : 0);
+    backs.push_back(place ? row.value[*place] : 0);
     if (facets) values.take(row, error);
   });
   forEachRow(method, families, file.get(), context, [&](SparseRow row) { matrix.take(std::move(row)); });
@@ -423,7 +406,7 @@ void writeMatrix(const FormFactorOptions& options, Context& context, const radio
   result.update(nlohmann::ordered_json::parse(reference::aboutMatrix(heading)));
   result.update(matrix.toJson());
   if (moves) result["smoothing"] = tellMoves(*moves, heading.hasErrors, context.console);
-  backs.warn(context.console);
+  warnOfBacks(backs, families.names, context.console);
   result["settings"] = settingsOf(options);
   result["settings"].update(toJson(options.discretization));
   result["area"] = heading.area;
@@ -453,9 +436,9 @@ void printMatrix(const FormFactorOptions& options, Context& context, const radio
   const reference::MatrixChecks checks = reference::checkMatrix(factorsOf(matrix), receivers.area);
   tellCaptured(method, context.console);
   tellChecks(outside, checks, families, context.console);
-  BackShares backs;
-  for (std::size_t row = 0; row < outside.size(); ++row) backs.add(families.names[row], outside[row].backs.value_or(0));
-  backs.warn(context.console);
+  std::vector<double> backs;
+  for (const OutsideShares& shares : outside) backs.push_back(shares.backs.value_or(0));
+  warnOfBacks(backs, families.names, context.console);
   const auto names = [&](std::size_t index) -> std::vector<Cell> {
     return {families.names[index / matrix.size()], families.names[index % matrix.size()]};
   };

@@ -42,9 +42,8 @@ class DrawList:
     @staticmethod
     def of_triangles(positions: npt.ArrayLike, triangles: npt.ArrayLike) -> DrawList:
         """A draw list whose item IDs are numbers of triangles, as buffers for visibility and picking hold them."""
-        count = len(np.asarray(triangles))
         return DrawList(positions, np.zeros((len(np.asarray(positions)), 2), np.float32), triangles,
-                        [Draw(number, 1, number) for number in range(count)], channel_bits=(32,))
+                        [Draw(0, len(np.asarray(triangles)), 0)], channel_bits=(32,), values="triangle-numbers")
 
     @property
     def background(self) -> int:

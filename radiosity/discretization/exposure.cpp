@@ -108,7 +108,6 @@ class BuriedRegions {
         cut_(scene.surfaces.size()),
         regionOf_(scene.surfaces.size()),
         rays_(rays),
-        solids_(scene, rays),
         isInside_(scene.surfaces.size()) {
     cutSurfaces(slices);
     findInside();
@@ -164,7 +163,7 @@ class BuriedRegions {
       const Surface& surface = scene_.surfaces[s];
       if (cut_[s] || surface.twin) return;
       const SurfacePoint middle = pointOn(surface, 0, glm::dvec2(1.0 / 3));
-      isInside_[s] = solids_.contain(eyeOver(scene_, static_cast<std::uint32_t>(s), middle)) ? 1 : 0;
+      isInside_[s] = isInsideSolid(scene_, rays_, eyeOver(scene_, static_cast<std::uint32_t>(s), middle)) ? 1 : 0;
     });
   }
 
@@ -173,9 +172,8 @@ class BuriedRegions {
   std::optional<Seen> seenFrom(const Region& region) const {
     const std::vector<std::uint32_t> points = somePoints(region);
     const auto isInside = [&](std::uint32_t number) {
-      const Cutting& cutting = cut_[region.surface]->cuttings[number];
-      const SurfacePoint point = pointOn(scene_.surfaces[region.surface], cutting.triangle, cutting.centre);
-      return solids_.contain(eyeOver(scene_, region.surface, point));
+      const SurfacePoint middle = middleOf(region.surface, cut_[region.surface]->cuttings[number]);
+      return isInsideSolid(scene_, rays_, eyeOver(scene_, region.surface, middle));
     };
     if (2 * std::count_if(points.begin(), points.end(), isInside) > static_cast<std::ptrdiff_t>(points.size()))
       return Seen{.backs = 1, .points = 1};
@@ -196,9 +194,13 @@ class BuriedRegions {
 
   static bool seesFronts(const Seen& seen) { return seen.exposedFronts > 0 || !seen.regions.empty(); }
 
+  SurfacePoint middleOf(std::uint32_t surface, const Cutting& cutting) const {
+    return pointOn(scene_.surfaces[surface], cutting.triangle, cutting.centre);
+  }
+
   /// The view from the middle of a cutting.
   Seen seenFrom(std::uint32_t surface, const Cutting& cutting) const {
-    const SurfacePoint point = pointOn(scene_.surfaces[surface], cutting.triangle, cutting.centre);
+    const SurfacePoint point = middleOf(surface, cutting);
     const glm::dvec3 eye = eyeOver(scene_, surface, point);
     // A face that touches another sees the inside of the solid behind that face, or the outside of the scene.
     const bool isTouching = rays_.meetsBack(eye, -point.normal, 2 * contactTolerance(scene_), touchingCosine);
@@ -207,7 +209,10 @@ class BuriedRegions {
     if (seen.backs < 1 - rounding) seen = look(eye, axes, directions_);
     if (emits(surface) && !seesFronts(seen)) seen = look(eye, axes, manyDirections_);
     // What stands on a back gets no light from beyond it.
-    (isTouching ? seen.backs : seen.exposedFronts) += isTouching ? 1 : seen.open;
+    if (isTouching)
+      seen.backs += 1;
+    else
+      seen.exposedFronts += seen.open;
     return seen;
   }
 
@@ -304,7 +309,6 @@ class BuriedRegions {
   std::vector<std::optional<CutSurface>> cut_;        ///< of surfaces with slices
   std::vector<std::vector<std::uint32_t>> regionOf_;  ///< of each cutting, by surface
   const RayTree& rays_;
-  Solids solids_;
   std::vector<std::uint8_t> isInside_;  ///< of each surface that no outline cuts: whether it lies inside a solid
   std::vector<LookDirection> fewDirections_ = lookDirections(fewPixels), directions_ = lookDirections(pixels),
                              manyDirections_ = lookDirections(manyPixels);

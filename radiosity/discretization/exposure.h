@@ -1,11 +1,11 @@
 /// Exposure: finds the parts of surfaces inside solids, which neither receive nor send light.
 ///
 /// The outline of a solid on a surface cuts the surface's texels into pieces (triangle_slices.h), exactly. Pieces that
-/// no outline separates form one region. The view from a few points of a region decides whether it is buried. Inside a
-/// solid only the backs of faces are visible, whether or not the solid has a face where it stands. Inside overlapping
-/// solids fronts are visible too, but those belong to buried regions. So a region is buried if the backs that it sees
-/// outweigh the fronts of exposed regions that it sees. Surfaces that no outline cuts are looked at if they touch
-/// another back to back, like the top of a lamp under a ceiling.
+/// no outline separates form one region. A region inside a closed solid is buried (isInsideSolid in contacts.h), and so
+/// is a surface there that no outline cuts. Solids may lack the face that they stand on. So for other regions the view
+/// from a few points decides: a region is buried if the backs that it sees outweigh the fronts of exposed regions that
+/// it sees. Surfaces that no outline cuts are looked at if they touch another back to back, like the top of a lamp
+/// under a ceiling.
 ///
 /// Contact does not depend on how coordinates are rounded. Distances up to contactTolerance (scene.h) are contact, and
 /// the view turns with the surface.

@@ -36,13 +36,6 @@ ParallelViews viewsFor(const Scene& scene, const Discretization& discretization,
   return {bounds, std::clamp(2 * static_cast<int>(across / 2 + 1), smallestViews, largestViews)};
 }
 
-bool hasBacked(const Scene& scene) {
-  return std::any_of(scene.surfaces.begin(), scene.surfaces.end(), [](const Surface& surface) {
-    return std::any_of(surface.triangles.begin(), surface.triangles.end(),
-                       [](const Triangle& triangle) { return triangle.isBacked; });
-  });
-}
-
 /// Whether the back of another face lies on the triangle, at its middle and near its corners.
 bool isCovered(const Scene& scene, const RayTree& rays, const Triangle& triangle) {
   const glm::dvec3 n = normal(triangle);
@@ -115,7 +108,8 @@ class PixelCounts {
   }
 
   const Scene& scene_;
-  const bool hasBacked_ = hasBacked(scene_);
+  const bool hasBacked_ = std::any_of(scene_.surfaces.begin(), scene_.surfaces.end(),
+                                      [](const Surface& surface) { return hasBacked(surface); });
   raster::ItemBufferRenderer& renderer_;
   ParallelViews views_;
   std::vector<std::uint32_t> covered_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "raster/base/cross.h"
@@ -15,8 +16,6 @@ using Polygon = std::vector<glm::dvec2>;  ///< convex, counter-clockwise, in wei
 
 /// Faces are parallel if the cosine of the angle between them is at least this.
 constexpr double minCosine = 0.999;
-/// By which share volumes of equal shells differ at most.
-constexpr double volumeRounding = 1e-6;
 /// Cuts take time in the square of the number of others.
 constexpr std::size_t maxOthers = 10000;
 /// Heights of a triangle that are larger than the distance of contact by this are far above it.
@@ -87,8 +86,8 @@ struct Other {
   std::uint32_t number;
   std::array<glm::dvec2, 3> corners;  ///< counter-clockwise as the first triangle is, in its weights
   bool isOpposite;
-  double tolerance;  ///< up to which corners lie on edges
-  glm::dvec2 low, high;
+  double tolerance;      ///< up to which corners lie on edges
+  glm::dvec2 low, high;  ///< the box around the corners
 };
 
 /// The part of a polygon inside another triangle; without corners if there is none. Otherwise calls outside(part) for
@@ -137,39 +136,39 @@ bool standsOn(const Shells& shells, std::uint32_t triangle, std::uint32_t other)
   const std::uint32_t own = shells.ofTriangle[triangle], room = shells.ofTriangle[other];
   if (shells.kinds[own] != ShellKind::Solid) return false;
   const bool isSkin = shells.isClosed[own] && shells.isClosed[room] && shells.kinds[room] == ShellKind::Room &&
-                      shells.volumes[own] >= -(1 - volumeRounding) * shells.volumes[room];
+                      shells.volumes[own] >= -(1 - shellVolumeRounding) * shells.volumes[room];
   return !isSkin;
 }
 
-/// Whether two triangles have a place in common. `plane` is that of the first one.
-bool areInOnePlace(const TrianglePositions& triangle, const TrianglePositions& other, const Plane& plane,
-                   double tolerance) {
+/// Another triangle, if it has a place in common with a triangle, whose plane is given.
+std::optional<Other> inOnePlace(const TrianglePositions& triangle, const TrianglePositions& candidate,
+                                std::uint32_t number, const Plane& plane, double tolerance) {
   std::array<double, 3> heights;
-  for (std::size_t k = 0; k < 3; ++k) heights[k] = plane.heightOf(other[k]);
+  for (std::size_t k = 0; k < 3; ++k) heights[k] = plane.heightOf(candidate[k]);
   const auto [lowest, highest] = std::minmax({heights[0], heights[1], heights[2]});
-  if (lowest > tolerance || highest < -tolerance) return false;
-  const glm::dvec3 normal = unitNormal(other);
-  if (std::abs(glm::dot(normal, plane.normal())) < minCosine) return false;
-  const Polygon common = inside(wholeTriangle, plane, otherOf(other, 0, plane, tolerance), [](const Polygon&) {});
-  return !common.empty() && std::all_of(common.begin(), common.end(), [&](const glm::dvec2& weights) {
+  if (lowest > tolerance || highest < -tolerance) return std::nullopt;
+  const glm::dvec3 normal = unitNormal(candidate);
+  if (std::abs(glm::dot(normal, plane.normal())) < minCosine) return std::nullopt;
+  Other other = otherOf(candidate, number, plane, tolerance);
+  const Polygon common = inside(wholeTriangle, plane, other, [](const Polygon&) {});
+  const bool isNear = std::all_of(common.begin(), common.end(), [&](const glm::dvec2& weights) {
     const auto& [a, b, c] = triangle;
-    return std::abs(glm::dot(a + weights.x * (b - a) + weights.y * (c - a) - other[0], normal)) <= tolerance;
+    return std::abs(glm::dot(a + weights.x * (b - a) + weights.y * (c - a) - candidate[0], normal)) <= tolerance;
   });
+  if (common.empty() || !isNear) return std::nullopt;
+  return other;
 }
 
-}  // namespace
-
-std::vector<ContactPart> contactParts(std::span<const TrianglePositions> triangles, const Shells& shells,
-                                      std::uint32_t number, std::span<const std::uint32_t> near, double tolerance) {
-  const Plane plane(triangles[number]);
-  const auto isSolid = [&](std::uint32_t n) { return shells.kindOf(n) == ShellKind::Solid; };
+/// The triangles in the place of triangle `number` that change what is seen of it, by number.
+std::vector<Other> othersInPlace(std::span<const TrianglePositions> triangles, const Shells& shells,
+                                 std::uint32_t number, std::span<const std::uint32_t> near, const Plane& plane,
+                                 double tolerance) {
   const double height = heightOf(triangles[number]);
   std::vector<Other> others;
   for (const std::uint32_t n : near) {
-    const double smallest = std::min(height, heightOf(triangles[n])),
-                 length = std::min(tolerance, smallest / minHeights);
-    if (n != number && areInOnePlace(triangles[number], triangles[n], plane, length))
-      others.push_back(otherOf(triangles[n], n, plane, length));
+    const double length = std::min(tolerance, std::min(height, heightOf(triangles[n])) / minHeights);
+    if (n == number) continue;
+    if (auto other = inOnePlace(triangles[number], triangles[n], n, plane, length)) others.push_back(*other);
   }
   std::sort(others.begin(), others.end(), [](const Other& a, const Other& b) { return a.number < b.number; });
   // What stands on this triangle backs nothing.
@@ -178,54 +177,74 @@ std::vector<ContactPart> contactParts(std::span<const TrianglePositions> triangl
     return !other.isOpposite || !standsOn(shells, number, other.number);
   });
   if (others.size() > maxOthers || !matters) others.clear();
-  if (others.empty()) return {};
+  return others;
+}
 
-  struct Part {
-    Polygon polygon;
-    bool isBacked = false, isOpposed = false;
-    std::vector<std::uint32_t> sameWay = {};
-  };
-  std::vector<Part> parts{{wholeTriangle}};
-  for (const Other& other : others) {
-    std::vector<Part> cut;
-    for (Part& part : parts) {
-      if (!mayMeet(part.polygon, other)) {
-        cut.push_back(std::move(part));
-        continue;
-      }
-      Part within = part;
+/// A part of a triangle while others cut it.
+struct Part {
+  Polygon polygon;
+  bool isBacked = false;                    ///< by a face that it does not stand on
+  bool isOpposed = false;                   ///< whether any face looks the other way
+  std::vector<std::uint32_t> sameWay = {};  ///< those that look the same way, ascending
+};
+
+/// Cuts parts by another triangle. `isBacking` says whether it can back the triangle.
+std::vector<Part> cutBy(const Other& other, bool isBacking, std::vector<Part> parts, const Plane& plane) {
+  std::vector<Part> result;
+  for (Part& part : parts) {
+    Part within = part;
+    within.polygon.clear();
+    if (mayMeet(part.polygon, other))
       within.polygon = inside(part.polygon, plane, other, [&](Polygon polygon) {
-        cut.push_back(part);
-        cut.back().polygon = std::move(polygon);
+        result.push_back(part);
+        result.back().polygon = std::move(polygon);
       });
-      if (within.polygon.empty()) {
-        cut.push_back(std::move(part));
-        continue;
-      }
-      within.isOpposed = within.isOpposed || other.isOpposite;
-      within.isBacked = within.isBacked || (other.isOpposite && !standsOn(shells, number, other.number));
-      if (!other.isOpposite) within.sameWay.push_back(other.number);
-      cut.push_back(std::move(within));
+    if (within.polygon.empty()) {
+      result.push_back(std::move(part));
+      continue;
     }
-    parts = std::move(cut);
+    within.isOpposed = within.isOpposed || other.isOpposite;
+    within.isBacked = within.isBacked || (other.isOpposite && isBacking);
+    if (!other.isOpposite) within.sameWay.push_back(other.number);
+    result.push_back(std::move(within));
   }
+  return result;
+}
 
-  // The front of a solid comes before all others if it stands on something: the last one covers.
-  const auto rank = [&](std::uint32_t n, bool isOpposed) { return std::pair(!(isOpposed && isSolid(n)), n); };
+/// The contact of a part of triangle `number`. The last face covers the others, but the front of a solid that stands on
+/// something none.
+Contact contactOf(const Part& part, std::uint32_t number, const Shells& shells) {
+  const auto rank = [&](std::uint32_t n) {
+    return std::pair(!(part.isOpposed && shells.kindOf(n) == ShellKind::Solid), n);
+  };
+  std::uint32_t last = number;
+  for (const std::uint32_t n : part.sameWay)
+    if (rank(n) > rank(last)) last = n;
+  Contact contact{.isBacked = part.isBacked};
+  if (last != number) contact.coveredBy = last;
+  return contact;
+}
+
+}  // namespace
+
+std::vector<ContactPart> contactParts(std::span<const TrianglePositions> triangles, const Shells& shells,
+                                      std::uint32_t number, std::span<const std::uint32_t> near, double tolerance) {
+  const Plane plane(triangles[number]);
+  const std::vector<Other> others = othersInPlace(triangles, shells, number, near, plane, tolerance);
+  if (others.empty()) return {};
+  std::vector<Part> parts{{wholeTriangle}};
+  for (const Other& other : others)
+    parts = cutBy(other, !standsOn(shells, number, other.number), std::move(parts), plane);
   std::vector<ContactPart> result;
   for (Part& part : parts) {
-    Contact contact{.isBacked = part.isBacked};
-    std::uint32_t last = number;
-    for (const std::uint32_t n : part.sameWay)
-      if (rank(n, part.isOpposed) > rank(last, part.isOpposed)) last = n;
-    if (last != number) contact.coveredBy = last;
+    const Contact contact = contactOf(part, number, shells);
     result.push_back({std::move(part.polygon), contact});
   }
+  const Contact& first = result.front().contact;
   const bool isOne = std::all_of(result.begin(), result.end(), [&](const ContactPart& part) {
-    return part.contact.isBacked == result.front().contact.isBacked &&
-           part.contact.coveredBy.has_value() == result.front().contact.coveredBy.has_value();
+    return part.contact.isBacked == first.isBacked && part.contact.coveredBy.has_value() == first.coveredBy.has_value();
   });
-  if (isOne) return {{wholeTriangle, result.front().contact}};
+  if (isOne) return {{wholeTriangle, first}};
   return result;
 }
 

@@ -1,11 +1,11 @@
 /// Contact: the parts of a triangle that lie in one place with other triangles, back to back or facing the same way.
 ///
-/// A part has one answer to two questions. Is its back *backed* by a face that looks the other way? Then nobody sees
-/// that back: who looks sees the other face. Is the part *covered* by a face that looks the same way? Then nobody sees
-/// its front, either. Of faces that look the same way the last one covers the others.
+/// A part is *backed* if a face that looks the other way lies on its back. Then its back is never visible, because a
+/// view from there shows the other face. A part is *covered* if a face that looks the same way is shown in its place.
+/// Of faces that look the same way the last one covers the others.
 ///
-/// Fronts of solids against sheets and walls of rooms are neither: a solid stands on those, and what is inside of it is
-/// found elsewhere (discretization/exposure.h). Such a front also covers nothing, because what it stands on is between.
+/// A solid that stands on a sheet or on the wall of a room backs nothing and covers nothing there. What is inside of it
+/// is found elsewhere (discretization/exposure.h). The outer skin of a room does not stand on the walls of the room.
 #pragma once
 
 #include <cstdint>

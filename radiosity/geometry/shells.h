@@ -26,6 +26,9 @@ enum class ShellKind {
   Room    ///< with fronts inside
 };
 
+/// By which share the volumes of equal shells differ at most.
+inline constexpr double shellVolumeRounding = 1e-6;
+
 struct Shells {
   std::vector<std::uint32_t> ofTriangle;
   std::vector<bool> isTurnedOver;  ///< of each triangle

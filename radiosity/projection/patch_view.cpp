@@ -73,8 +73,6 @@ bool liesInPlane(const std::array<glm::dvec3, 3>& corners, const SurfacePoint& p
                      [&](const glm::dvec3& corner) { return std::abs(heightOf(corner, point)) <= tolerance; });
 }
 
-bool isBacked(const Triangle& triangle) { return triangle.isBacked; }
-
 bool facesAway(const std::array<glm::dvec3, 3>& corners, const glm::dvec3& eye) {
   return glm::dot(eye - corners[0], glm::cross(corners[1] - corners[0], corners[2] - corners[0])) < 0;
 }
@@ -88,10 +86,8 @@ TriangleBoxes triangleBoxes(const Scene& scene) {
   std::uint32_t number = 0;
   for (std::uint32_t i = 0; i < scene.instances.size(); ++i)
     for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s) {
-      const std::vector<Triangle>& triangles = scene.surfaces[s].triangles;
-      const auto count = static_cast<std::uint32_t>(triangles.size());
-      if (std::any_of(triangles.begin(), triangles.end(), isBacked))
-        backed.push_back(static_cast<std::uint32_t>(firstRange.size()));
+      const auto count = static_cast<std::uint32_t>(scene.surfaces[s].triangles.size());
+      if (hasBacked(scene.surfaces[s])) backed.push_back(static_cast<std::uint32_t>(firstRange.size()));
       firstRange.push_back(static_cast<std::uint32_t>(ranges.size()));
       for (std::uint32_t first = 0; first < count; first += maxTriangles) {
         ranges.push_back({i, s, first, std::min(first + maxTriangles, count), number + first});

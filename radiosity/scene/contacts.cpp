@@ -92,8 +92,6 @@ void appendParts(const Triangle& whole, const std::vector<ContactPart>& parts, s
   }
 }
 
-std::string quoted(const Surface& surface) { return "`" + raster::excerpt(surface.name) + "`"; }
-
 /// One sentence for each pair of groups in one place, and one for the rest if there are many.
 std::vector<std::string> coverWarnings(const std::set<std::pair<std::string, std::string>>& pairs) {
   std::vector<std::string> warnings;
@@ -118,8 +116,8 @@ std::vector<std::string> turnedWarnings(const Scene& scene, const NumberedTriang
       turned.insert(triangles.surfaces[t]);
   std::vector<std::string> warnings;
   for (const std::uint32_t s : turned)
-    warnings.push_back(quoted(scene.surfaces[s]) +
-                       " looks the other way than the other faces of its closed shell; --flip turns it over");
+    warnings.push_back("`" + raster::excerpt(scene.surfaces[s].name) +
+                       "` looks the other way than the other faces of its closed shell; --flip turns it over");
   return warnings;
 }
 
@@ -174,10 +172,6 @@ std::vector<std::string> emptyRoomWarnings(const Scene& scene, const NumberedTri
   }
   return warnings;
 }
-
-/// Of equal volumes, which differ by their rounding, that of a room counts as smaller: both skins of its walls
-/// coincide.
-constexpr double volumeRounding = 1e-6;
 
 /// Directions of rays, off the axes and the diagonals of boxes.
 constexpr std::array directions{glm::dvec3(0.267, 0.911, 0.314), glm::dvec3(-0.872, 0.179, 0.456),
@@ -237,19 +231,20 @@ void findBacked(Scene& scene) {
     }
 }
 
-bool Solids::contain(const glm::dvec3& point) const {
-  if (scene_.shellVolumes.empty()) return false;
+bool isInsideSolid(const Scene& scene, const RayTree& rays, const glm::dvec3& point) {
+  if (scene.shellVolumes.empty()) return false;
   const auto isInside = [&](const glm::dvec3& direction) {
     std::map<std::pair<std::int32_t, std::uint32_t>, int> windings;  // by shell and instance
-    rays_.visitHits(point, direction, [&](const TriangleHit& hit) {
+    rays.visitHits(point, direction, [&](const TriangleHit& hit) {
       if (hit.shell != 0) windings[{std::abs(hit.shell), hit.instance}] += hit.isFront == (hit.shell > 0) ? -1 : 1;
     });
     double smallest = 0;
     for (const auto& [key, winding] : windings) {
-      const double volume = scene_.shellVolumes[static_cast<std::size_t>(key.first) - 1];
+      const double volume = scene.shellVolumes[static_cast<std::size_t>(key.first) - 1];
       const double size = std::abs(volume), known = std::abs(smallest);
       const bool isIn = volume > 0 ? winding > 0 : winding < 0;
-      const double bound = volume < 0 ? 1 + volumeRounding : 1 - volumeRounding;
+      // Of equal ones, the skins of one wall, the room counts as smaller.
+      const double bound = volume < 0 ? 1 + shellVolumeRounding : 1 - shellVolumeRounding;
       if (isIn && (smallest == 0 || size < bound * known)) smallest = volume;
     }
     return smallest > 0;

@@ -15,20 +15,9 @@ void resolveContacts(Scene& scene);
 /// Finds again which triangles are backed, without cutting any: after faces have moved.
 void findBacked(Scene& scene);
 
-/// The closed solids and rooms of a scene.
-class Solids {
- public:
-  /// Keeps references to the scene and to its rays.
-  Solids(const Scene& scene, const RayTree& rays) : scene_(scene), rays_(rays) {}
-
-  /// Whether a point lies inside a solid: the smallest closed shell around it is one, and no room. A ray from inside a
-  /// shell leaves it once more than it enters it, which is its winding number. Two of three rays decide, because one
-  /// may pass through an edge.
-  bool contain(const glm::dvec3& point) const;
-
- private:
-  const Scene& scene_;
-  const RayTree& rays_;
-};
+/// Whether a point lies inside a solid: the smallest closed shell around it is one, and no room. A ray from inside a
+/// shell leaves it once more than it enters it, which is its winding number. Two of three rays decide, because one may
+/// pass through an edge. `rays` are those of the scene.
+bool isInsideSolid(const Scene& scene, const RayTree& rays, const glm::dvec3& point);
 
 }  // namespace hemitex::radiosity

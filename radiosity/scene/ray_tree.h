@@ -30,12 +30,12 @@ class RayTree {
   explicit RayTree(const Scene& scene);
 
   /// The first triangle that a ray meets. If faces are in contact (see contactTolerance), a hit of a back comes first.
-  /// The reason: the front of a face that touches another is invisible. Rays pass through backs that nobody sees.
+  /// The reason: the front of a face that touches another is invisible. Rays pass through backs that are backed.
   std::optional<TriangleHit> firstHit(const glm::dvec3& origin, const glm::dvec3& direction) const;
   /// Whether the ray meets the back of a triangle that faces along it, up to a distance in lengths of its direction.
   /// "Along" means that the cosine of the angle between the normal and the ray is at least `cosine`.
   bool meetsBack(const glm::dvec3& origin, const glm::dvec3& direction, double distance, double cosine) const;
-  /// Calls visit(hit) for all triangles that a ray meets, in any order, also for backs that nobody sees and for
+  /// Calls visit(hit) for all triangles that a ray meets, in any order, also for backs that are backed and for
   /// Scene::covered, which have no surface.
   void visitHits(const glm::dvec3& origin, const glm::dvec3& direction,
                  const std::function<void(const TriangleHit&)>& visit) const;

@@ -133,6 +133,11 @@ void makeTwins(std::vector<Surface>& surfaces, std::size_t one, std::size_t othe
     for (Triangle& triangle : surfaces[s].triangles) triangle.isBacked = true;
 }
 
+bool hasBacked(const Surface& surface) {
+  return std::any_of(surface.triangles.begin(), surface.triangles.end(),
+                     [](const Triangle& triangle) { return triangle.isBacked; });
+}
+
 bool hasBacks(const Scene& scene) {
   return std::any_of(scene.surfaces.begin(), scene.surfaces.end(), [](const Surface& surface) {
     return std::any_of(surface.triangles.begin(), surface.triangles.end(),

@@ -62,7 +62,8 @@ struct Triangle {
   std::array<glm::dvec2, 3>
       texcoord;               ///< the file's coordinates for material maps, which repeat; without them the chart's
   std::uint32_t polygon = 0;  ///< the face of the file that contains the triangle, counted from 0 over the file
-  /// Whether another face lies on the back and shows its front there, so that nobody sees the back (see contacts.h).
+  /// Whether another face lies on the back and shows its front there, so that the back is never visible (see
+  /// contacts.h).
   bool isBacked = false;
   /// The closed shell of the file to which the triangle belongs, from 1; negative if it looks the other way there by
   /// mistake; 0 for none.
@@ -156,10 +157,11 @@ double area(const Surface& surface);
 /// Exchanges front and back: the same triangles in reverse order, each corner with its own coordinates.
 void turnOver(Surface& surface);
 
-/// Makes two surfaces with the same triangles the two sides of one sheet: twins, whose backs nobody sees.
+/// Makes two surfaces with the same triangles the two sides of one sheet: twins, whose backs are never visible.
 void makeTwins(std::vector<Surface>& surfaces, std::size_t one, std::size_t other);
 
-/// Whether a back of the scene is visible.
+/// Whether a triangle of a surface is backed, and whether one of a scene is not.
+bool hasBacked(const Surface& surface);
 bool hasBacks(const Scene& scene);
 
 /// The number of triangles of all surfaces. Triangles are numbered through the scene, surface by surface.
