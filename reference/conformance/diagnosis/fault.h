@@ -5,6 +5,7 @@
 /// fault has a *variant* for each common case.
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -37,5 +38,9 @@ std::vector<Fault> sampleFaults(const TestVector& vector);    ///< facing, cover
 std::vector<Fault> textureFaults(const TestVector& vector);   ///< lookups in index maps
 std::vector<Fault> blendFaults(const TestVector& vector);     ///< offsets, and their blends with texels and the target
 std::vector<Fault> memoryFaults(const TestVector& vector);    ///< channels, bytes, bits, rows and colours in memory
+std::vector<Fault> drawFaults(const TestVector& vector);      ///< states of draws, and what happens to their item IDs
+
+/// Fog whose density is that of the item IDs of a device, one per pixel of all faces: none is known beforehand.
+Fault fogLike(const PlacedVector& placed, std::span<const raster::ItemId> found);
 
 }  // namespace hemitex::reference

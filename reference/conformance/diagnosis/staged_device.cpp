@@ -76,9 +76,24 @@ std::optional<ItemId> shade(const StagedDevice& device, const UploadedList& uplo
   return showsBack || isNumbered ? flat : device.blend(list, draw.offset, texel);
 }
 
+/// Whether a position lies on the line of one pixel along an edge, in sub-pixels over `unit`.
+bool isOnLine(const SnappedTriangle& triangle, const raster::SnappedPoint& position, const raster::Weights& weights,
+              std::int64_t unit) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    const raster::SnappedPoint &a = triangle.corners[(k + 1) % 3], &b = triangle.corners[(k + 2) % 3];
+    const std::int64_t dx = std::abs(b.x - a.x), dy = std::abs(b.y - a.y);
+    if (std::abs(weights[k]) > 128 * unit * std::max(dx, dy)) continue;
+    const auto [low, high] = dx >= dy ? std::minmax({a.x, b.x}) : std::minmax({a.y, b.y});
+    const std::int64_t along = dx >= dy ? position.x : position.y;
+    if (low <= along && along <= high) return true;
+  }
+  return false;
+}
+
 /// Whether the triangle covers a position, in sub-pixels over `unit`.
 bool coversAt(const StagedDevice& device, const SnappedTriangle& triangle, const raster::SnappedPoint& position,
               const raster::Weights& weights, std::int64_t unit) {
+  if (device.drawsLines) return isOnLine(triangle, position, weights, unit);
   if (device.widening == 0) return covers(triangle, weights, device.ownsSamples);
   const std::int64_t reach = device.widening * unit;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -116,7 +131,7 @@ void drawTriangle(const StagedDevice& device, const UploadedList& uploaded, cons
   const auto& [a, b, c] = triangle.corners;
   const raster::PixelRange columns = pixelsBetween(a.x, b.x, c.x, pixelSize, scissor.column, scissor.width);
   const raster::PixelRange rows = pixelsBetween(a.y, b.y, c.y, pixelSize, scissor.row, scissor.height);
-  if (columns.first >= columns.end || rows.first >= rows.end) return;
+  if (columns.first >= columns.end || rows.first >= rows.end || !device.keeps(triangle)) return;
   const Facing facing = device.facing(triangle.facesAway ? Facing::Back : Facing::Front, view);
   if (facing == Facing::Culled || isCulled(uploaded.list.draws[triangle.draw], facing == Facing::Back)) return;
   const double bias = device.depthBias == 0 ? 0 : device.depthBias * slopeOf(triangle, pixelSize);
@@ -126,17 +141,23 @@ void drawTriangle(const StagedDevice& device, const UploadedList& uploaded, cons
         return raster::SnappedPoint{pixelSize * column + unit * p.x, pixelSize * row + unit * p.y};
       };
       const int pixel = (row - scissor.row) * scissor.width + column - scissor.column;
+      const std::int64_t block = device.shadingBlock;
+      const raster::SnappedPoint shaded = block == 1
+                                              ? inPixel(device.shadingSample)
+                                              : raster::SnappedPoint{pixelSize * (column / block * 2 + 1) * block / 2,
+                                                                     pixelSize * (row / block * 2 + 1) * block / 2};
       for (std::size_t s = 0; s < device.samples.size(); ++s) {
         const raster::SnappedPoint position = inPixel(device.samples[s]);
         const raster::Weights weights = weightsAt(triangle, position);
         if (!coversAt(device, triangle, position, weights, unit)) continue;
         Sample& sample = target[static_cast<std::size_t>(pixel) * device.samples.size() + s];
-        const double depth =
-            device.depth(coveredSample(triangle, weights).inverseDepth, static_cast<double>(view.nearDistance)) + bias;
+        const double inverseDepth = coveredSample(triangle, weights).inverseDepth;
+        const double depth = device.depth(inverseDepth, static_cast<double>(view.nearDistance)) + bias;
         if (sample.depth && !passes(uploaded.list.depthTest, depth, *sample.depth, device.passes)) continue;
-        const raster::SnappedPoint shaded = device.shadesSamples ? position : inPixel(device.shadingSample);
-        if (const auto id = shade(device, uploaded, triangle, facing, shaded))
+        if (auto id = shade(device, uploaded, triangle, facing, device.shadesSamples ? position : shaded)) {
+          if (device.fade) id = device.fade(*id, 1 / inverseDepth);
           sample = {depth, device.store(sample.id, *id)};
+        }
       }
     }
 }

@@ -80,13 +80,20 @@ struct StagedDevice {
   /// Whether samples on an edge are covered, from its direction.
   std::function<bool(const raster::SnappedPoint&)> ownsSamples = raster::ownsSamples;
 
+  /// Whether a triangle is drawn at all.
+  std::function<bool(const raster::SnappedTriangle&)> keeps = [](const raster::SnappedTriangle&) { return true; };
+
   /// How far edges are moved outwards along each axis, in sub-pixels: conservative rasterization has half a pixel.
   std::int64_t widening = 0;
+
+  /// Whether triangles are drawn as lines of one pixel along their edges.
+  bool drawsLines = false;
 
   /// Positions in a pixel: the samples of coverage and depth, and the sample of texture coordinates.
   std::vector<raster::SnappedPoint> samples{{128, 128}};
   raster::SnappedPoint shadingSample{128, 128};
   bool shadesSamples = false;  ///< whether each sample has its own texture coordinates
+  int shadingBlock = 1;        ///< pixels on the side of a block that has one sample of texture coordinates
 
   /// The stored depth, from 1/w and the near distance, and the depth test. The test has a tolerance, so that rounding
   /// does not decide between equal depths.
@@ -122,6 +129,9 @@ struct StagedDevice {
       [](const raster::DrawList& list, raster::ItemId offset, raster::ItemId texel) {
         return raster::blend(list.format, list.blend, offset, texel);
       };
+
+  /// The item ID of a fragment after a change by its distance w from the eye; may be empty.
+  std::function<raster::ItemId(raster::ItemId, double)> fade;
 
   /// The item ID in the target, from the stored one and the fragment's.
   std::function<raster::ItemId(raster::ItemId, raster::ItemId)> store = [](raster::ItemId, raster::ItemId fragment) {

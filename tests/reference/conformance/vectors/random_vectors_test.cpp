@@ -217,15 +217,23 @@ TEST_CASE("judge finds each fault of knownFaults in two vectors of each family, 
           "[random]") {
   // No format has channels that the first one changes, and no random vector the vertices that the second one needs.
   // Random coordinates lie too rarely beside a border of texels for the product with u to be rounded over it.
-  const std::string rounded = "u N rounded to binary32";
-  const std::set<std::string> withoutEffect{"dithering, 8-8-8", "indices cut to fewer bits, 16 bits",
-                                            rounded + ", at pixels", rounded + ", at vertices"};
+  // They have one index map, and faces of one tile of 16 x 16 pixels.
+  const std::string rounded = "u N rounded to binary32", otherMap = "index map of another draw";
+  const std::set<std::string> withoutEffect{"dithering, 8-8-8",
+                                            "indices cut to fewer bits, 16 bits",
+                                            rounded + ", at pixels",
+                                            rounded + ", at vertices",
+                                            otherMap + ", the first draw",
+                                            otherMap + ", the last draw",
+                                            otherMap + ", the draw before",
+                                            otherMap + ", the next draw",
+                                            "tiled memory read as rows, 16 x 16 pixels"};
   constexpr std::uint64_t count = 300;
   const Detections detections = detectFaults(count);
   CHECK(detections.faults.size() > 50);
   for (const auto& [fault, vectors] : detections.faults) {
     INFO(fault << ": " << vectors);
-    if (fault != rounded) CHECK(vectors <= 2 * reference::randomFamilies().size());
+    if (fault != rounded && fault != otherMap) CHECK(vectors <= 2 * reference::randomFamilies().size());
   }
   CHECK(detections.variants.size() > 250);
   for (const auto& [variant, vectors] : detections.variants) {
