@@ -187,25 +187,28 @@ void addSurfaces(Scene& scene, std::vector<Surface> parts, const std::string& fa
   }
 }
 
-/// The other side of a surface, where no other face lies on it.
+std::vector<std::uint32_t> allSurfaces(const Scene& scene) {
+  std::vector<std::uint32_t> numbers(scene.surfaces.size());
+  std::iota(numbers.begin(), numbers.end(), 0U);
+  return numbers;
+}
+
+/// The other side of a surface.
 Surface backOf(const Surface& front) {
   Surface back = front;
-  std::erase_if(back.triangles, [](const Triangle& triangle) { return triangle.isBacked; });
   back.name += "/back";
   back.family += "/back";
   turnOver(back);
   return back;
 }
 
-/// Gives some surfaces, by their numbers, a surface on the other side, unless all of it is backed. Those of an object
-/// are an object of their own, because programs take faces with equal corners in one mesh for a fault.
+/// Gives some surfaces, by their numbers, a surface on the other side. Those of an object are an object of their own,
+/// because programs take faces with equal corners in one mesh for a fault.
 void addBacks(Scene& scene, const std::vector<std::uint32_t>& numbers) {
   std::vector<Surface>& surfaces = scene.surfaces;
   std::map<int, int> backObjects;
   for (const std::uint32_t s : numbers) {
-    Surface back = backOf(surfaces[s]);
-    if (back.triangles.empty()) continue;
-    surfaces.push_back(std::move(back));
+    surfaces.push_back(backOf(surfaces[s]));
     const int front = *surfaces[s].object;
     const auto [known, isNew] = backObjects.try_emplace(front, static_cast<int>(scene.objects.size()));
     if (isNew) {
@@ -217,16 +220,28 @@ void addBacks(Scene& scene, const std::vector<std::uint32_t>& numbers) {
   }
 }
 
-/// Turns surfaces over by their names. Throws InputError with similar names if there is none.
-void flip(Scene& scene, const std::vector<std::string>& names) {
-  for (const std::string& name : names)
-    for (const std::uint32_t s : surfacesNamed(scene, name)) turnOver(scene.surfaces[s]);
+/// Gives all surfaces of facets a back. That of facet n of N is the facet n + N.
+void addBacksOfFacets(Scene& scene) {
+  const std::size_t fronts = scene.surfaces.size();
+  addBacks(scene, allSurfaces(scene));
+  for (std::size_t s = fronts; s < scene.surfaces.size(); ++s)
+    for (Triangle& triangle : scene.surfaces[s].triangles) triangle.polygon += static_cast<std::uint32_t>(scene.faces);
+  scene.faces *= 2;
 }
 
-std::vector<std::uint32_t> allSurfaces(const Scene& scene) {
-  std::vector<std::uint32_t> numbers(scene.surfaces.size());
-  std::iota(numbers.begin(), numbers.end(), 0U);
-  return numbers;
+/// The open sheets that are lit from both sides, after contacts.
+std::vector<std::uint32_t> sheetsOf(const Scene& scene, const Contacts& contacts) {
+  const bool hasContacts =
+      std::any_of(contacts.parts.begin(), contacts.parts.end(), [](const auto& parts) { return !parts.empty(); });
+  return sheetsLitFromBothSides(hasContacts ? resolved(scene, contacts) : scene);
+}
+
+/// Turns surfaces over by their names. Throws InputError with similar names if there is none.
+void flip(Scene& scene, const std::vector<std::string>& names, const std::filesystem::path& file) try {
+  for (const std::string& name : names)
+    for (const std::uint32_t s : surfacesNamed(scene, name)) turnOver(scene.surfaces[s]);
+} catch (const raster::InputError& error) {
+  throw raster::InputError(file.string(), 0, error.what());
 }
 
 void makeNamesUnique(std::vector<Surface>& surfaces) {
@@ -294,8 +309,8 @@ Scene makeScene(PolygonMesh mesh, const MaterialSource& materials, const std::fi
   if (!(settings.maxReflectance >= 0 && settings.maxReflectance < 1)) {
     throw raster::InputError("the largest reflectance must be at least 0 and below 1");
   }
-  if (settings.facets && settings.sides != Sides::One)
-    throw raster::InputError("facets have one side each", "leave the other sides out");
+  if (settings.facets && settings.sides == Sides::TwoOfSheets)
+    throw raster::InputError("facets have one side each, or two each", "leave the sides of sheets out");
   requireMemoryFor(mesh, file);
   Scene scene;
   if (settings.facets) divideIntoFacets(mesh);
@@ -318,11 +333,20 @@ Scene makeScene(PolygonMesh mesh, const MaterialSource& materials, const std::fi
     const auto object = static_cast<int>(sections[s].object);
     addSurfaces(scene, layCharts(std::move(sections[s]), mesh, file, settings), family, choice.ofSection[s], object);
   }
-  flip(scene, settings.flip);
+  flip(scene, settings.flip, file);
+  if (settings.sides == Sides::Two && settings.facets)
+    addBacksOfFacets(scene);
+  else if (settings.sides == Sides::Two)
+    addBacks(scene, allSurfaces(scene));
   setSymmetry(scene, settings.symmetry);
-  resolveContacts(scene);
-  if (settings.sides == Sides::Two) addBacks(scene, allSurfaces(scene));
-  if (settings.sides == Sides::TwoOfSheets) addBacks(scene, sheetsLitFromBothSides(scene));
+  Contacts contacts = findContacts(scene);
+  if (settings.sides == Sides::TwoOfSheets) {
+    const std::vector<std::uint32_t> sheets = sheetsOf(scene, contacts);
+    addBacks(scene, sheets);
+    if (!sheets.empty()) contacts = findContacts(scene);
+  }
+  scene = resolved(std::move(scene), contacts);
+  removeEmptySurfaces(scene);
   makeNamesUnique(scene.surfaces);
   if (scene.extent < smallestExtent) fail({file}, "the scene is smaller than 1e-18 units", "scale it up");
   const std::vector<std::string> warnings = resolutionWarnings(scene);

@@ -379,7 +379,11 @@ TEST_CASE("loadScene reports normals that the file lacks", "[scene]") {
 }
 
 TEST_CASE("loadScene with Sides::Two makes two surfaces of each, the second reversed", "[scene]") {
-  const Scene scene = load(cubeVertices + "g box\n" + cubeFaces + "g lid\nf 8 7 6 5\n", {.sides = Sides::Two});
+  const std::string box = cubeVertices + "g box\n" + cubeFaces;
+  // The sides of a lid on the box would be those of the box.
+  CHECK(load(box + "g lid\nf 8 7 6 5\n", {.sides = Sides::Two}).surfaces.size() == 12);
+  const Scene scene =
+      load(box + "v 0 0 3\nv 1 0 3\nv 1 1 3\nv 0 1 3\ng lid\nf 9 10 11 12\n", {.sides = Sides::Two});
   REQUIRE(scene.surfaces.size() == 14);
   CHECK(totalArea(scene) == 14);
   for (std::size_t s = 0; s < 7; ++s) {
