@@ -30,6 +30,9 @@ struct Fault {
 /// All known faults, in a fixed order, with the variants that the vector's faces and item ID format allow.
 std::vector<Fault> knownFaults(const TestVector& vector);
 
+/// Front and back exchanged where the determinant of the view is negative.
+Variant turnedInMirroredViews(const std::string& name);
+
 /// The known faults by stage, one source file each.
 std::vector<Fault> viewFaults(const TestVector& vector);      ///< flipped, exchanged, rotated, moved views and pictures
 std::vector<Fault> geometryFaults(const TestVector& vector);  ///< indices, transformation, clipping, snapping
@@ -37,5 +40,6 @@ std::vector<Fault> sampleFaults(const TestVector& vector);    ///< facing, cover
 std::vector<Fault> textureFaults(const TestVector& vector);   ///< lookups in index maps
 std::vector<Fault> blendFaults(const TestVector& vector);     ///< offsets, and their blends with texels and the target
 std::vector<Fault> memoryFaults(const TestVector& vector);    ///< channels, bytes, bits, rows and colours in memory
+std::vector<Fault> drawFaults(const TestVector& vector);      ///< of what version 2 adds
 
 }  // namespace hemitex::reference

@@ -72,7 +72,7 @@ std::uint64_t differingVectors(std::uint64_t count) {
     const std::vector<raster::ItemBuffer> found = reference::render(vector);
     bool isEqual = true;
     for (std::size_t f = 0; f < found.size(); ++f)
-      isEqual &= found[f].ids == reference::evaluateRules(vector.list, vector.faces[f].face).ids;
+      isEqual &= found[f].ids == reference::evaluateRules(sourceOf(vector), vector.faces[f].face).ids;
     differing += !isEqual;
   });
   return differing;

@@ -99,7 +99,8 @@ TEST_CASE("judge finds no error in a device within its profile", "[verdict]") {
 }
 
 TEST_CASE("judge finds no error in a device within its profile that draws version 2", "[verdict]") {
-  for (const std::string family : {"holes", "culled-sides", "two-sided", "triangle-numbers"}) {
+  for (const std::string family :
+       {"holes", "culled-sides", "two-sided", "triangle-numbers", "depth-tests", "viewports", "clip-space"}) {
     std::uint64_t explained = 0;
     for (const DeviceProfile& profile : profiles())
       for (std::uint32_t seed = 0; seed < 400; ++seed) {
