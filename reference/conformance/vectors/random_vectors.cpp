@@ -582,7 +582,7 @@ Drawing assemblies(Random& random) {
     draw.instances = random.below(4);
     draw.firstInstance = random.below(4 - draw.instances);
     draw.first = static_cast<std::uint32_t>(list.indices.size());
-    draw.count = 3 * (1 + random.below(3));
+    draw.count = 3 * (1 + random.below(2));
     if (list.value == PixelValue::Pairs) draw.back.reset();
     for (std::uint32_t k = 0; k < draw.count; ++k)
       list.indices.push_back(draw.restarts && random.isOneIn(5) ? restart : random.below(vertices - draw.baseVertex));
