@@ -268,7 +268,7 @@ Coverage coverageOf(const CoverageProbe& probe, int subpixelBits, SnapRounding r
   std::array<raster::SnappedPoint, 3> corners;
   for (std::size_t k = 0; k < 3; ++k)
     corners[k] = {snapTo(probe.corners[k].x, step, rounding), snapTo(probe.corners[k].y, step, rounding)};
-  const raster::SnappedTriangle triangle = raster::snappedTriangle({}, {}, corners);
+  const raster::SnappedTriangle triangle = raster::snappedTriangle({}, {}, {}, corners);
   if (triangle.area == 0) return Coverage::Outside;
   const raster::Weights weights = weightsAt(triangle, {0, 0});
   Coverage coverage = Coverage::Inside;

@@ -22,7 +22,7 @@ raster::ClippedPolygon clippedAtSides(double size, raster::ClippedPolygon polygo
     }
   };
   stretch(scale);
-  for (const raster::ClipPlane plane : raster::clipPlanes)
+  for (const raster::ClipPlane plane : raster::clipPlanes(raster::ClipDepth::None))
     if (plane != raster::ClipPlane::Near) polygon = raster::clip(polygon, plane, 0);
   stretch(1 / scale);
   return polygon;

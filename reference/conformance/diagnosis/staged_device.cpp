@@ -31,7 +31,7 @@ std::vector<SnappedTriangle> placeBy(const StagedGeometry& geometry, const raste
     for (std::size_t k = 2; k < polygon.count; ++k) {
       const std::array<raster::ViewVertex, 3> fan = raster::fanTriangle(polygon, k);
       if (!std::all_of(fan.begin(), fan.end(), isAhead)) continue;
-      SnappedTriangle triangle = raster::snappedTriangle(face, fan, {snap(fan[0]), snap(fan[1]), snap(fan[2])});
+      SnappedTriangle triangle = raster::snappedTriangle(list, face, fan, {snap(fan[0]), snap(fan[1]), snap(fan[2])});
       triangle.draw = drawn.draw;
       triangle.number = drawn.triangle;
       if (triangle.area != 0) triangles.push_back(triangle);
@@ -66,9 +66,8 @@ std::optional<ItemId> shade(const StagedDevice& device, const UploadedList& uplo
                             Facing facing, const raster::SnappedPoint& position) {
   const raster::DrawList& list = uploaded.list;
   const raster::Draw& draw = list.draws[triangle.draw];
-  const bool showsBack = facing == Facing::Back && draw.back,
-             isNumbered = list.value == raster::PixelValue::TriangleNumbers;
-  const ItemId flat = showsBack ? *draw.back : isNumbered ? triangleNumber(draw, triangle.number) : draw.offset;
+  const bool showsBack = facing == Facing::Back && draw.back, isNumbered = list.value != raster::PixelValue::ItemIds;
+  const ItemId flat = showsBack ? *draw.back : isNumbered ? flatValue(list, draw, triangle.number) : draw.offset;
   if (!draw.indexMap || ((showsBack || isNumbered) && !uploaded.hasHoles)) return flat;
   const Lookup lookup{triangle, position, held(device.interpolate(triangle, position))};
   const ItemId texel = device.fetch(list, static_cast<std::size_t>(*draw.indexMap), lookup);
@@ -107,6 +106,22 @@ bool coversAt(const StagedDevice& device, const SnappedTriangle& triangle, const
   return isNear(std::minmax({a.x, b.x, c.x}), position.x) && isNear(std::minmax({a.y, b.y, c.y}), position.y);
 }
 
+/// Whether the triangle covers a sample of the 2 x 2 pixels around one.
+bool coversQuad(const StagedDevice& device, const SnappedTriangle& triangle, int column, int row) {
+  for (const int pixel : {0, 1, 2, 3}) {
+    const raster::SnappedPoint sample = raster::sampleOf(column / 2 * 2 + pixel % 2, row / 2 * 2 + pixel / 2);
+    if (coversAt(device, triangle, sample, weightsAt(triangle, sample), 1)) return true;
+  }
+  return false;
+}
+
+double depthOn(const StagedDevice& device, const SnappedTriangle& triangle, const raster::Weights& weights,
+               const raster::Face& view) {
+  if (!device.depth) return coveredSample(triangle, weights).depth;
+  const double depth = raster::depthOf(triangle, raster::weightsOverDepth<double>(triangle, weights));
+  return device.depth(-depth, static_cast<double>(view.nearDistance));
+}
+
 /// The largest change of 1/w per pixel.
 double slopeOf(const SnappedTriangle& triangle, std::int64_t pixelSize) {
   const auto at = [&](std::int64_t x, std::int64_t y) {
@@ -134,6 +149,7 @@ void drawTriangle(const StagedDevice& device, const UploadedList& uploaded, cons
   if (columns.first >= columns.end || rows.first >= rows.end || !device.keeps(triangle)) return;
   const Facing facing = device.facing(triangle.facesAway ? Facing::Back : Facing::Front, view);
   if (facing == Facing::Culled || isCulled(uploaded.list.draws[triangle.draw], facing == Facing::Back)) return;
+  const bool counts = uploaded.list.value == raster::PixelValue::PassedSamples;
   const double bias = device.depthBias == 0 ? 0 : device.depthBias * slopeOf(triangle, pixelSize);
   for (int row = rows.first; row < rows.end; ++row)
     for (int column = columns.first; column < columns.end; ++column) {
@@ -149,14 +165,16 @@ void drawTriangle(const StagedDevice& device, const UploadedList& uploaded, cons
       for (std::size_t s = 0; s < device.samples.size(); ++s) {
         const raster::SnappedPoint position = inPixel(device.samples[s]);
         const raster::Weights weights = weightsAt(triangle, position);
-        if (!coversAt(device, triangle, position, weights, unit)) continue;
         Sample& sample = target[static_cast<std::size_t>(pixel) * device.samples.size() + s];
-        const double inverseDepth = coveredSample(triangle, weights).inverseDepth;
-        const double depth = device.depth(inverseDepth, static_cast<double>(view.nearDistance)) + bias;
+        if (!coversAt(device, triangle, position, weights, unit)) {
+          if (device.countsQuads && coversQuad(device, triangle, column, row)) ++sample.id;
+          continue;
+        }
+        const double depth = depthOn(device, triangle, weights, view) + bias;
         if (sample.depth && !passes(uploaded.list.depthTest, depth, *sample.depth, device.passes)) continue;
         if (auto id = shade(device, uploaded, triangle, facing, device.shadesSamples ? position : shaded)) {
-          if (device.fade) id = device.fade(*id, 1 / inverseDepth);
-          sample = {depth, device.store(sample.id, *id)};
+          if (device.fade) id = device.fade(*id, 1 / coveredSample(triangle, weights).inverseDepth);
+          sample = {depth, counts ? sample.id + 1 : device.store(sample.id, *id)};
         }
       }
     }
@@ -174,7 +192,7 @@ bool isSameView(const raster::Face& a, const raster::Face& b) {
 
 /// Whether the draws take the same triangles in the same order.
 bool haveSameTriangles(const raster::DrawList& a, const raster::DrawList& b) {
-  return a.indices == b.indices && a.texcoords == b.texcoords &&
+  return a.indices == b.indices && a.positions == b.positions && a.clipZ == b.clipZ && a.texcoords == b.texcoords &&
          std::equal(
              a.draws.begin(), a.draws.end(), b.draws.begin(), b.draws.end(),
              [](const raster::Draw& x, const raster::Draw& y) { return x.first == y.first && x.count == y.count; });
@@ -200,8 +218,7 @@ raster::ItemBuffer drawFace(const StagedDevice& device, const UploadedList& uplo
   raster::ItemBuffer buffer;
   buffer.resize(view.scissor);
   const std::size_t perPixel = device.samples.size();
-  std::vector<Sample> target(buffer.ids.size() * perPixel,
-                             {device.clearedDepth, raster::backgroundId(uploaded.list.format)});
+  std::vector<Sample> target(buffer.ids.size() * perPixel, {device.clearedDepth, raster::clearedValue(uploaded.list)});
   const auto placeOf = [&](std::size_t sample) {
     const glm::ivec2 pixel = pixelAt(view.scissor, sample / perPixel);
     return std::array{pixel.x, pixel.y, static_cast<int>(sample % perPixel)};
@@ -254,7 +271,7 @@ StagedDevice withReadBack(const ReadBack& readBack) {
 }
 
 PlacedVector placeVector(const TestVector& vector) {
-  PlacedVector placed{vector.list, facesOf(vector), {}, {}};
+  PlacedVector placed{vector.list, facesOf(vector), {}, {}, sourceOf(vector)};
   const StagedDevice device;
   const UploadedList uploaded{vector.list};
   KeptDepths kept;
@@ -268,11 +285,13 @@ PlacedVector placeVector(const TestVector& vector) {
 void drawOn(const StagedDevice& device, const PlacedVector& placed,
             const std::function<bool(const raster::ItemBuffer&)>& wantsMore) {
   constexpr int stripRows = 8;
+  const bool isChanged = device.assemble || device.upload;
   raster::DrawList changed;
-  if (device.upload) device.upload(changed = placed.list);
-  const raster::DrawList& list = device.upload ? changed : placed.list;
+  if (isChanged) changed = device.assemble ? device.assemble(placed.source) : placed.list;
+  if (device.upload) device.upload(changed);
+  const raster::DrawList& list = isChanged ? changed : placed.list;
   const UploadedList uploaded{list};
-  const bool isSameMesh = !device.geometry && (!device.upload || haveSameTriangles(list, placed.list));
+  const bool isSameMesh = !device.geometry && (!isChanged || haveSameTriangles(list, placed.list));
   KeptDepths kept;
   for (std::size_t f = 0; f < placed.faces.size(); ++f) {
     raster::Face view = viewOf(device, placed.faces, f);

@@ -1,7 +1,8 @@
 /// A simulated device in stages. It draws a test vector by the raster rules (raster/plain/rules.h), in double precision
 /// from depths on. Each stage is a function that a known fault (fault.h) may replace.
 ///
-///     upload -> camera -> view and clip, snap -> facing -> cover -> depth -> interpolate -> fetch -> blend -> store
+///     assemble -> upload -> camera -> view and clip, snap -> facing -> cover -> depth -> interpolate -> fetch -> blend
+///     -> store
 ///     -> resolve -> read back
 ///
 /// Lengths on the picture are sub-pixels, 1/256 pixel.
@@ -64,8 +65,11 @@ raster::ItemId nearestTexel(const raster::IndexMap& map, const glm::dvec2& at);
 /// Changes the item IDs of a face on their way to its file.
 using ReadBack = std::function<void(const raster::Face&, raster::ItemBuffer&)>;
 
-/// `upload`, `camera`, `geometry` and `readBack` may be empty, and then change nothing.
+/// `assemble`, `upload`, `camera`, `geometry` and `readBack` may be empty, and then change nothing.
 struct StagedDevice {
+  /// From the list of the vector's file to an assembled one.
+  std::function<raster::DrawList(const raster::DrawList&)> assemble;
+
   /// Changes the uploaded draws, indices, texture coordinates and index maps; positions stay.
   std::function<void(raster::DrawList&)> upload;
 
@@ -95,12 +99,15 @@ struct StagedDevice {
   bool shadesSamples = false;  ///< whether each sample has its own texture coordinates
   int shadingBlock = 1;        ///< pixels on the side of a block that has one sample of texture coordinates
 
-  /// The stored depth, from 1/w and the near distance, and the depth test. The test has a tolerance, so that rounding
-  /// does not decide between equal depths.
-  std::function<double(double, double)> depth = [](double inverseW, double) { return -inverseW; };
+  /// The stored depth, from 1/w (in clip space -z/w) and the near distance; empty: that of the rules. The depth test
+  /// has a tolerance, so that rounding does not decide between equal depths.
+  std::function<double(double, double)> depth;
   std::function<bool(double, double)> passes = [](double incoming, double stored) {
     return incoming < stored - 0x1p-40 * std::abs(stored);
   };
+
+  /// Whether all pixels of a quad with a covered one count as passed.
+  bool countsQuads = false;
 
   /// Times the largest change of the depth 1/w per pixel, it is added to the depth.
   double depthBias = 0;
@@ -165,6 +172,7 @@ struct PlacedVector {
   std::vector<raster::Face> faces;
   std::vector<std::vector<raster::SnappedTriangle>> triangles;  ///< of each face, by the rules
   std::vector<raster::ItemBuffer> buffers;                      ///< of each face
+  const raster::DrawList& source;                               ///< before assembly
 };
 
 PlacedVector placeVector(const TestVector& vector);

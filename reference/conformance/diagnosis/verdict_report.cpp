@@ -162,7 +162,7 @@ Report reportOn(const TestVector& vector, std::span<const raster::ItemBuffer> fo
   const std::vector<raster::ItemBuffer> drawn = render(vector);
   std::vector<raster::ItemBuffer> expected;
   for (const VectorFace& face : vector.faces)
-    if (isExact) expected.push_back(evaluateRules(vector.list, face.face));
+    if (isExact) expected.push_back(evaluateRules(sourceOf(vector), face.face));
   Report report{judge(vector, isExact ? expected : drawn, found, profile), {}, {}};
   report.errors = firstErrors(vector, report.verdict);
   Diagnosis diagnosis = diagnoseAll(vector, report.verdict);

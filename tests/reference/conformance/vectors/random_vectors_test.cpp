@@ -45,6 +45,12 @@ Ids bitsOf(const TestVector& vector) {
   }
   if (vector.list.value != raster::PixelValue::ItemIds || vector.list.depthTest != raster::DepthTest::Nearer)
     bits.insert(bits.end(), {static_cast<ItemId>(vector.list.value), static_cast<ItemId>(vector.list.depthTest)});
+  const raster::DrawList& source = sourceOf(vector);
+  if (vector.source || !source.clipZ.empty()) {
+    for (const float z : source.clipZ) append(bits, glm::vec3(z));
+    bits.insert(bits.end(), source.indices.begin(), source.indices.end());
+    bits.insert(bits.end(), source.vertexValues.begin(), source.vertexValues.end());
+  }
   for (const raster::Face& face : facesOf(vector))
     if (!isUsual(face)) bits.push_back(static_cast<ItemId>(face.sample));
   for (const raster::Face& face : facesOf(vector))
@@ -72,7 +78,7 @@ std::uint64_t differingVectors(std::uint64_t count) {
     const std::vector<raster::ItemBuffer> found = reference::render(vector);
     bool isEqual = true;
     for (std::size_t f = 0; f < found.size(); ++f)
-      isEqual &= found[f].ids == reference::evaluateRules(vector.list, vector.faces[f].face).ids;
+      isEqual &= found[f].ids == reference::evaluateRules(sourceOf(vector), vector.faces[f].face).ids;
     differing += !isEqual;
   });
   return differing;
@@ -164,7 +170,9 @@ TEST_CASE("randomVector gives pinned vectors for the first hundred seeds of each
                                                   {"two-sided", "8cb41c75985d105e"},
                                                   {"triangle-numbers", "2a2732b801622685"},
                                                   {"depth-tests", "c87ad26e9bbbd48c"},
-                                                  {"viewports", "06fad210ee83c739"}};
+                                                  {"viewports", "06fad210ee83c739"},
+                                                  {"clip-space", "a9a72ec459e30ac3"},
+                                                  {"assemblies", "9c532c2fc4a11be3"}};
   CHECK(pinned.size() == reference::randomFamilies().size() + reference::newRandomFamilies().size());
   for (const auto& [family, hash] : pinned) {
     INFO(family);
