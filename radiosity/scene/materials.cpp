@@ -184,9 +184,11 @@ Material makeMaterial(Definition definition, const SceneSettings& settings, MapI
     if (!material.reflectanceMap) material.reflectance = glm::dvec3(grey);
   }
   if (const char* way = wayThrough(statement)) warnings.push_back(owner + opaqueWarning(way));
+  const bool isDark = statement.emissionMap && statement.emission == glm::dvec3(0);
+  if (isDark) warnings.push_back(owner + "Ke 0 0 0 with a map_Ke; the map alone is the light, as its writers mean it");
   if (statement.emission) material.emission = *statement.emission;
   if (statement.emissionMap) {
-    if (!statement.emission) material.emission = glm::dvec3(1.0);
+    if (!statement.emission || isDark) material.emission = glm::dvec3(1.0);
     material.emissionMap = images.emission(*statement.emissionMap, definition);
     if (!material.emissionMap) material.emission *= grey;
   }

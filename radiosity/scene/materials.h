@@ -46,7 +46,7 @@ std::optional<std::string> lowerReflectance(glm::dvec3& reflectance, double maxR
 /// - A reflectance of 1 or more is lowered to `settings.maxReflectance`, with a warning per material. The values of a
 ///   map_Kd are lowered to 1.
 /// - A missing or unreadable map: a warning, and reflectance 0.5 or half the emission.
-/// - Kd 0 0 0 with a map_Kd: a warning, and the map alone, as Maya and 3ds Max mean it.
+/// - Kd 0 0 0 with a map_Kd, and Ke 0 0 0 with a map_Ke: a warning, and the map alone, as Maya and 3ds Max mean it.
 /// - Faces without a material have the reflectance 0.5, and 1 where the file `hasColours` of vertices.
 MaterialSet findMaterials(const std::vector<std::string>& names, const std::vector<std::filesystem::path>& files,
                           const SceneSettings& settings, bool hasColours = false);

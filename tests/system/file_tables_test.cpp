@@ -382,6 +382,8 @@ Rows mtlRows() {
         mapped("Kd .5 .5 .5\nmap_Kd ./t.png\n", lit(ofMean(quarter / 2))), absolute}},
       {"`Kd 0 0 0` with `map_Kd`",
        {mapped("Kd 0 0 0\nmap_Kd t.png\n", lit(ofMean(quarter), {"Kd 0 0 0 with a map_Kd"}))}},
+      {"`Ke 0 0 0` with `map_Ke`",
+       {mapped("Kd .5 .5 .5\nKe 0 0 0\nmap_Ke t.png\n", lit(2 * quarter, {"Ke 0 0 0 with a map_Ke"}))}},
       {"`map_Ke`", {mapped("Kd .5 .5 .5\nmap_Ke t.png\n", lit(2 * quarter))}},
       {"`-s u v`, `-o u v`",
        {mapped("map_Kd -s .5 1 t.png\n", lit(1)), mapped("map_Kd -s .5 1 1 -o .5 0 0 t.png\n", lit(ofMean(half.x)))}},
