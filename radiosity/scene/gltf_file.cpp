@@ -171,6 +171,8 @@ Material materialOf(const ImportedMaterial& given, bool isColoured, DecodedImage
   material.emission = given.emission * radiosityPerUnit(settings.emission);
   if (std::max({material.emission.r, material.emission.g, material.emission.b}) > largestEmission)
     throw InputError(file.string(), 0, owner + "its emission is above 1e30 W/m^2", "scale the light down");
+  if (given.emissionImage && bandSum(given.emission) == 0)
+    warnings.push_back(owner + "its emissiveTexture has the emissiveFactor 0, and emits nothing");
   if (given.emissionImage && bandSum(given.emission) > 0) {
     material.emissionMap = images.decode(*given.emissionImage, given.emissionSampler);
     if (!material.emissionMap) material.emission *= grey;

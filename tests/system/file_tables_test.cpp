@@ -553,10 +553,25 @@ Rows gltfRows() {
        {gltf(nothing, lit(2)), gltf([](Gltf& cube) { cube.colour().clear(); }, lit(5, {"states no colour"}))}},
       {"`emissiveFactor`, `emissiveTexture`",
        {textured(
-           [](Gltf& cube) {
-             cube.colour()["baseColorFactor"] = {0, 0, 0, 1};
-           },
-           black)}},
+            [](Gltf& cube) {
+              cube.colour()["baseColorFactor"] = {0, 0, 0, 1};
+            },
+            black),
+        gltf(
+            [](Gltf& cube) {
+              cube.text["images"] = {{{"uri", "t.png"}}};
+              cube.text["textures"] = {{{"source", 0}}};
+              cube.material()["emissiveTexture"] = {{"index", 0}};
+            },
+            lit(2 * quarter), {{"t.png", halfBlack()}}),
+        gltf(
+            [](Gltf& cube) {
+              cube.text["images"] = {{{"uri", "t.png"}}};
+              cube.text["textures"] = {{{"source", 0}}};
+              cube.material()["emissiveTexture"] = {{"index", 0}};
+              cube.material()["emissiveFactor"] = {0, 0, 0};
+            },
+            lit(0, {"emissiveFactor 0"}), {{"t.png", halfBlack()}})}},
       {"`wrapS`, `wrapT`", {wrapped(10497, quarter), wrapped(33648, quarter), wrapped(33071, 0.875 * half.x)}},
       {"`alphaMode`", {gltf([](Gltf& cube) { cube.material()["alphaMode"] = "BLEND"; }, lit(2, {"BLEND"}))}},
       {"`metallicFactor`, `normalTexture`, `occlusionTexture`, `doubleSided`",
