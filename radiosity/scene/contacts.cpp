@@ -168,6 +168,7 @@ Triangle partOf(const Triangle& whole, const std::array<glm::dvec2, 3>& weights)
     part.position[k] = at(whole.position);
     part.chart[k] = onChart(at(whole.chart));
     part.texcoord[k] = at(whole.texcoord);
+    part.colour[k] = at(std::array<glm::dvec3, 3>{whole.colour[0], whole.colour[1], whole.colour[2]});
   }
   return part;
 }
