@@ -46,8 +46,11 @@ build_program() {
 
 copy_pages() {
   mkdir "$kit/docs"
-  cp docs/backend.md docs/item-buffers.md "$kit/docs"
-  install -D examples/own_backend.cpp "$kit/examples/own_backend.cpp"
+  cp docs/backend.md docs/faults.md docs/item-buffers.md docs/real-gpu.md "$kit/docs"
+  local example
+  for example in own_backend compute_rasterizer; do
+    install -D "examples/$example.cpp" "$kit/examples/$example.cpp"
+  done
   local picture
   sed -n 's/.*!\[[^]]*](\([^)]*\)).*/\1/p' docs/backend.md docs/item-buffers.md | while read -r picture; do
     install -D "docs/$picture" "$kit/docs/$picture"

@@ -23,6 +23,7 @@
 #include "cli/scene/scene_options.h"
 #include "cli/scene/source_names.h"
 #include "cli/scene/symmetry_options.h"
+#include "radiosity/discretization/exposure.h"
 #include "radiosity/ranks/shared_tasks.h"
 #include "radiosity/scene/load_scene.h"
 #include "radiosity/scene/surface_names.h"
@@ -400,7 +401,7 @@ void writeMatrix(const FormFactorOptions& options, Context& context, const radio
   });
   forEachRow(method, families, file.get(), context, [&](SparseRow row) { matrix.take(std::move(row)); });
   const std::optional<reference::SmoothingMoves> moves = matrix.finish();
-  if (facets) facets->write(options.scene.file, values.arrays());
+  if (facets) facets->write(options.scene.file, options.scene.settings.sides, values.arrays());
   nlohmann::ordered_json result{{"matrix", options.output.filename().string()},
                                 {"sha256", file->staging().hashes().at(options.output.filename())}};
   result.update(nlohmann::ordered_json::parse(reference::aboutMatrix(heading)));
@@ -462,7 +463,8 @@ void printMatrix(const FormFactorOptions& options, Context& context, const radio
 }
 
 void print(const FormFactorOptions& options, Context& context) {
-  const radiosity::Scene scene = sceneOf(options.scene, context.console);
+  radiosity::Scene scene = sceneOf(options.scene, context.console);
+  if (options.scene.settings.facets) scene = radiosity::withoutBuried(std::move(scene));
   const radiosity::Discretization discretization = discretizationOf(options.discretization, scene);
   (isSparse(options) ? writeMatrix : options.all ? printMatrix : printRow)(options, context, scene, discretization);
 }

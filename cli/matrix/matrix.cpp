@@ -11,6 +11,7 @@
 #include "cli/scene/scene_options.h"
 #include "cli/scene/symmetry_options.h"
 #include "radiosity/discretization/discretize.h"
+#include "radiosity/discretization/exposure.h"
 #include "radiosity/scene/load_scene.h"
 #include "radiosity/scene/mesh_sections.h"
 #include "radiosity/scene/surface_names.h"
@@ -42,16 +43,16 @@ struct Mesh {
 Mesh meshOf(SceneOptions options, Console& console) {
   radiosity::DiscretizationSettings elements{.texels = 1};
   chooseFacets(options.settings, elements);
-  Mesh mesh{sceneOf(options, console), {}, {}};
+  Mesh mesh{radiosity::withoutBuried(sceneOf(options, console)), {}, {}};
   mesh.discretization = radiosity::discretize(mesh.scene, elements);
   mesh.facets = radiosity::facetsOf(mesh.scene);
   return mesh;
 }
 
 /// The facets that repeat another one with area, and the other one.
-std::vector<std::pair<std::uint32_t, std::uint32_t>> repeatedFacets(const fs::path& file,
+std::vector<std::pair<std::uint32_t, std::uint32_t>> repeatedFacets(const SceneOptions& options,
                                                                     const radiosity::Families& facets) {
-  const std::vector<std::uint32_t> first = radiosity::firstOfEqual(radiosity::readFaces(file));
+  const std::vector<std::uint32_t> first = radiosity::firstOfEqual(facetsOfFile(options.file, options.settings.sides));
   std::vector<std::pair<std::uint32_t, std::uint32_t>> repeated;
   for (std::uint32_t f = 0; f < first.size(); ++f)
     if (first[f] != f && !facets.surfaces[first[f]].empty() && facets.surfaces[f].empty())
@@ -65,7 +66,7 @@ void check(const MatrixOptions& options, Context& context) {
   const reference::MatrixVerdict verdict =
       reference::judgeMatrix(file.matrix,
                              {mesh.scene, mesh.discretization, mesh.facets.ofSurface, mesh.facets.names.size(),
-                              repeatedFacets(options.mesh.file, mesh.facets)},
+                              repeatedFacets(options.mesh, mesh.facets)},
                              options.judge);
   context.failed = !verdict.problems.empty();
   if (context.json) {
@@ -143,9 +144,10 @@ void compare(const MatrixOptions& options, Context& context) {
   const double share = all > 0 ? apart / all : 0;
   if (!options.vtu.empty())
     FacetFile(options.vtu, "matrix compare", context.inputs(mesh.scene.files))
-        .write(options.mesh.file, std::vector<radiosity::FaceArray>{{"difference", 1, found.difference},
-                                                                    {"difference_received", 1, found.received},
-                                                                    {"row_sum", 1, found.sum}});
+        .write(options.mesh.file, options.mesh.settings.sides,
+               std::vector<radiosity::FaceArray>{{"difference", 1, found.difference},
+                                                 {"difference_received", 1, found.received},
+                                                 {"row_sum", 1, found.sum}});
   const Table table{{"facet", "area", "sum", "difference"}, facets, [&](std::size_t f) -> std::vector<Cell> {
                       return {std::int64_t(f), area[f], found.sum[f], found.difference[f]};
                     }};
@@ -160,6 +162,8 @@ void compare(const MatrixOptions& options, Context& context) {
 void addMesh(Command command, MatrixOptions& options) {
   command.addPath("MESH", options.mesh.file, "mesh: STL, OBJ, PLY, VTK, View3D or glTF; each face is a facet")
       .required();
+  command.addFlag("--two-sided", "the rows and columns after those of the facets are those of their backs",
+                  [&options] { options.mesh.settings.sides = radiosity::Sides::Two; });
   addSymmetryOptions(command, options.mesh.settings.symmetry);
 }
 

@@ -1,4 +1,4 @@
-/// A file of facets with values (`.vtu`), which a command writes beside its result.
+/// The facets of a mesh file, and a file of them with values (`.vtu`), which a command writes beside its result.
 #pragma once
 
 #include <filesystem>
@@ -8,8 +8,13 @@
 
 #include "cli/common/staging.h"
 #include "radiosity/meshes/polygon_mesh.h"
+#include "radiosity/scene/scene_settings.h"
 
 namespace hemitex::cli {
+
+/// The faces of a file, as facets are numbered; with Sides::Two also their backs, in the same order. Throws InputError
+/// as radiosity::loadScene.
+radiosity::PolygonMesh facetsOfFile(const std::filesystem::path& mesh, radiosity::Sides sides);
 
 class FacetFile {
  public:
@@ -18,8 +23,8 @@ class FacetFile {
   FacetFile(const std::filesystem::path& file, const std::string& writer,
             const std::set<std::filesystem::path>& inputs);
 
-  /// Writes the faces of a mesh file in their order, with one value or vector each (see writeVtu).
-  void write(const std::filesystem::path& mesh, std::span<const radiosity::FaceArray> arrays);
+  /// Writes the facets of a mesh file in their order, with one value or vector each (see writeVtu).
+  void write(const std::filesystem::path& mesh, radiosity::Sides sides, std::span<const radiosity::FaceArray> arrays);
 
  private:
   Staging staging_;

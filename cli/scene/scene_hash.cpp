@@ -57,6 +57,9 @@ std::string hashOf(const radiosity::Scene& scene) {
   for (const radiosity::Image& image : scene.images) {
     Bytes bytes;
     bytes.add(image.width, image.height);
+    if (!(image.sampler == radiosity::Sampler()))
+      bytes.add(image.sampler.place[0], image.sampler.place[1], image.sampler.place[2], image.sampler.wrap[0],
+                image.sampler.wrap[1]);
     for (const glm::dvec3& pixel : image.pixels) bytes.add(pixel);
     extend(bytes);
   }
@@ -65,6 +68,7 @@ std::string hashOf(const radiosity::Scene& scene) {
     bytes.add(surface.name, surface.material, surface.twin, surface.curvedPart);
     for (const radiosity::Triangle& triangle : surface.triangles) {
       for (std::size_t k = 0; k < 3; ++k) bytes.add(triangle.position[k], triangle.chart[k], triangle.texcoord[k]);
+      if (surface.hasColours) bytes.add(triangle.colour[0], triangle.colour[1], triangle.colour[2]);
       bytes.add(triangle.polygon);
     }
     extend(bytes);

@@ -160,14 +160,13 @@ void requireLight(const radiosity::Scene& scene, const std::filesystem::path& fi
 }
 
 void chooseFacets(Command command, radiosity::SceneSettings& scene, radiosity::DiscretizationSettings& elements) {
-  if (scene.sides == radiosity::Sides::Two) usageError("--two-sided", "is not used with --facets; omit one of them");
   chooseFacets(scene, elements);
   if (!command.isGiven("--texels") && !command.isGiven("--texel-size")) elements.texels = 1;
 }
 
 void chooseFacets(radiosity::SceneSettings& scene, radiosity::DiscretizationSettings& elements) {
   scene.facets = true;
-  scene.sides = radiosity::Sides::One;
+  if (scene.sides != radiosity::Sides::Two) scene.sides = radiosity::Sides::One;
   elements.isUnburied = true;
 }
 

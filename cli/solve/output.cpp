@@ -6,6 +6,7 @@
 
 #include "cli/common/json.h"
 #include "cli/report/solved_page.h"
+#include "cli/scene/facet_file.h"
 #include "cli/solve/options.h"
 #include "radiosity/bands/band_textures.h"
 #include "radiosity/bands/element_table.h"
@@ -122,7 +123,8 @@ std::vector<std::string> writeSolved(const std::filesystem::path& folder, const 
   radiosity::writePng(folder / "render.png", pictureOf(solved, lit));
   raster::writeFile(folder / "scene.view.json", toText(toJson(solved.camera)));
   if (writesFacets(options))
-    radiosity::writeVtu(folder / "scene.vtu", radiosity::readFaces(options.scene.file), facetArrays(solved));
+    radiosity::writeVtu(folder / "scene.vtu", facetsOfFile(options.scene.file, options.scene.settings.sides),
+                        facetArrays(solved));
   if (!options.noElements)
     raster::writeFile(folder / "elements.csv", [&solved](std::ostream& stream) {
       radiosity::writeCsv(stream, radiosity::elementTable(solved.scene, solved.discretization, solved.solution));

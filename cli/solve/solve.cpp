@@ -18,6 +18,7 @@
 #include "cli/solve/output.h"
 #include "cli/solve/run.h"
 #include "cli/solve/run_size.h"
+#include "radiosity/discretization/exposure.h"
 #include "radiosity/solver/dynamic_solution.h"
 #include "radiosity/textures/lit_scene.h"
 #include "raster/base/file_io.h"
@@ -135,7 +136,8 @@ std::string textOfRun(const SolveOptions& options, const radiosity::Scene& scene
 radiosity::Scene sceneOf(const SolveOptions& options, Console& console) {
   radiosity::Scene scene = loadedScene(options);
   console.warnings(scene.warnings);
-  return scene;
+  // Objects that move uncover what they stand on.
+  return writesFacets(options) ? radiosity::withoutBuried(std::move(scene)) : scene;
 }
 
 /// The part of the ranks other than 0: computes rows and writes nothing.

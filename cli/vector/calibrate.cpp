@@ -2,11 +2,13 @@
 /// that the device draws for them it computes the profile that `vector check` uses.
 #include <iostream>
 #include <memory>
+#include <optional>
 
 #include "cli/common/commands.h"
 #include "cli/common/json.h"
 #include "cli/common/staging.h"
 #include "cli/common/table.h"
+#include "cli/vector/profile_page.h"
 #include "cli/vector/vector_output.h"
 #include "raster/base/file_io.h"
 #include "raster/base/input_error.h"
@@ -22,12 +24,15 @@ using Json = nlohmann::ordered_json;
 struct CalibrateOptions {
   filesystem::path probes;                      ///< folder to write probing vectors into
   filesystem::path vectors, candidate, output;  ///< probing vectors, item buffers of the device, profile
+  filesystem::path page;                        ///< of the profile
+  std::string device = "a device";              ///< its name on the page
 };
 
 void writeProbes(const filesystem::path& folder, const Context& context) {
   const std::vector<reference::TestVector> vectors = vectorsOf(reference::makeProbes());
   writeVectors(
-      folder, "vector calibrate --probes", vectors.size(), [&vectors](std::size_t k) { return vectors[k]; }, false, context);
+      folder, "vector calibrate --probes", vectors.size(), [&vectors](std::size_t k) { return vectors[k]; }, false,
+      context);
 }
 
 /// A profile follows only from item buffers for the probes of this program version.
@@ -41,6 +46,11 @@ void requireSame(const filesystem::path& folder, const reference::TestVector& pr
 void calibrateDevice(const CalibrateOptions& options, Context& context) {
   Staging staging({Output::Kind::File, options.output, "vector calibrate", context.inputs()});
   staging.requirePlaces({options.output.filename()});
+  std::optional<Staging> page;
+  if (!options.page.empty()) {
+    page.emplace(Output{Output::Kind::File, options.page, "vector calibrate --html", context.inputs()});
+    page->requirePlaces({options.page.filename()});
+  }
   const reference::ProbingSet probes = reference::makeProbes();
   std::vector<raster::ItemBuffer> answers;
   for (const reference::TestVector& probe : vectorsOf(probes)) {
@@ -52,7 +62,9 @@ void calibrateDevice(const CalibrateOptions& options, Context& context) {
   const Json profile = toJson(calibration.profile);
   if (!context.failed) {
     raster::writeFile(staging.file(), toText(profile));
+    if (page) raster::writeFile(page->file(), toHtml({options.device, probes, answers, calibration}));
     staging.commit();
+    if (page) page->commit();
   }
   if (context.json) {
     std::cout << toText({{"profile", context.failed ? Json() : profile}, {"faults", calibration.faults}});
@@ -77,10 +89,15 @@ void addVectorCalibrate(Command vector, Context& context) {
       command.addPath("DIR", options->vectors, "folder of the probing vectors, written with --probes");
   const Option candidate = command.addPath("--candidate", options->candidate, "folder with the device's item IDs");
   const Option output = command.addOutputFile("-o,--output", options->output, "write the profile into this JSON file");
+  const Option page = command.addOutputFile(
+      "--html", options->page, "write an HTML page of the profile with a picture per property, to publish");
+  command.addText("--device-name", "NAME", "the device, for the page", options->device).needs(page);
+  page.needs(folder);
   folder.needs(candidate).needs(output).excludes(probes);
   candidate.needs(folder);
   output.needs(folder);
-  command.addExamples({"--probes probes", "probes --candidate drawn -o profile.json"});
+  command.addExamples({"--probes probes", "probes --candidate drawn -o profile.json",
+                       "probes --candidate drawn -o profile.json --html profile.html --device-name 'My GPU'"});
   command.onRead([options, &context] {
     if (options->probes.empty() && options->vectors.empty())
       usageError("calibrate", "give --probes FOLDER, or DIR with --candidate and -o");

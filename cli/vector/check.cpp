@@ -22,10 +22,11 @@ void check(const CheckOptions& options, Context& context) {
                              "name the folder with the device's item IDs");
   JudgingFiles files(options.judging, context);
   const reference::DeviceProfile profile = profileOf(options.judging);
-  const auto reports = makeAll<reference::Report>(suite.vectors.size(), [&](std::size_t k) {
+  auto reports = makeAll<reference::Report>(suite.vectors.size(), [&](std::size_t k) {
     const SuiteVector& vector = suite.vectors[k];
     return judgeAnswer(options.judging, profile, vector, answerFolder(suite, vector, options.candidate));
   });
+  reference::nameStaleFrames(reports);
   const auto minimal = [&](const SuiteVector& vector, const reference::Report& report) -> SmallFailure {
     const reference::MinimalFailure failure = minimize(vector.vector, report.verdict, profile);
     return {failure.vector, {failure.expected}, {failure.found}};

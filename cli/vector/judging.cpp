@@ -97,18 +97,36 @@ std::string remarkOn(const Report& report) {
   return {};
 }
 
-void printVector(const Report& report) {
+/// Two faults that explain more vectors than one.
+std::optional<reference::CommonPair> commonPairOf(const Suite& suite, const std::vector<Report>& reports) {
+  std::vector<const reference::TestVector*> vectors;
+  for (const SuiteVector& vector : suite.vectors) vectors.push_back(&vector.vector);
+  return reference::commonPair(reports, vectors);
+}
+
+/// The diagnosis of all vectors; empty without one.
+std::string diagnosisOf(const Suite& suite, const std::vector<Report>& reports) {
+  if (const auto pair = commonPairOf(suite, reports)) return toText(*pair);
+  const auto common = reference::commonFault(reports);
+  return common ? toText(*common) : "";
+}
+
+void printVector(const Suite& suite, const std::vector<Report>& reports) {
+  const Report& report = reports.front();
   std::vector<std::pair<std::string, reference::VerdictCounts>> counts;
   for (const reference::FaceVerdict& face : report.verdict.faces) counts.emplace_back(face.name, countVerdicts(face));
   print("face", counts);
   for (const reference::ErrorPixel& error : report.errors)
     std::cout << "error in " << error.face << ": " << toText(error) << '\n';
   std::cout << remarkOn(report);
-  if (!report.findings.empty()) std::cout << "diagnosis: " << toText(report.findings) << '\n';
+  if (!report.findings.empty())
+    std::cout << "diagnosis: " << toText(report.findings) << '\n';
+  else if (const auto pair = commonPairOf(suite, reports))
+    std::cout << "diagnosis: " << toText(*pair) << '\n';
   if (report.reference) std::cout << "reference: " << toText(*report.reference) << '\n';
 }
 
-void printSuite(const std::vector<Report>& reports) {
+void printSuite(const Suite& suite, const std::vector<Report>& reports) {
   std::vector<std::pair<std::string, reference::VerdictCounts>> counts;
   for (const Report& report : reports)
     if (!report.verdict.faces.empty()) counts.emplace_back(report.verdict.vector, countVerdicts(report.verdict));
@@ -120,7 +138,7 @@ void printSuite(const std::vector<Report>& reports) {
                 << toText(report.errors[0]) << '\n';
     std::cout << remarkOn(report);
   }
-  if (const auto common = reference::commonFault(reports)) std::cout << "diagnosis: " << toText(*common) << '\n';
+  if (const std::string text = diagnosisOf(suite, reports); !text.empty()) std::cout << "diagnosis: " << text << '\n';
   if (const auto check = checkReference(reports); check.pixels > 0) std::cout << "reference: " << toText(check) << '\n';
 }
 
@@ -198,8 +216,7 @@ void writePicture(const fs::path& file, const JudgingOptions& options, const Sui
 
 /// Pictures are made in the folder `scratch`.
 std::string pageOf(const Suite& suite, const std::vector<Report>& reports, const fs::path& scratch) {
-  ResultsPage page{.suite = suite.folder.filename(), .diagnosis = {}, .results = {}};
-  if (const auto common = reference::commonFault(reports)) page.diagnosis = toText(*common);
+  ResultsPage page{.suite = suite.folder.filename(), .diagnosis = diagnosisOf(suite, reports), .results = {}};
   for (std::size_t k = 0; k < reports.size(); ++k)
     page.results.push_back({suite.vectors[k].vector, reports[k], remarkOn(reports[k])});
   return toHtml(page, scratch);
@@ -333,11 +350,12 @@ void writeResults(const JudgingOptions& options, JudgingFiles& files, const Suit
   writeFiles(options, files, suite, reports, minimize);
   const std::optional<reference::DeviceClass> guess = suggestionFor(options, suite, reports);
   if (context.json) {
-    const auto results = suite.isSingle ? toJson(reports.front()) : reference::toJson(reports, options.isStrict);
+    auto results = suite.isSingle ? toJson(reports.front()) : reference::toJson(reports, options.isStrict);
+    if (const auto pair = commonPairOf(suite, reports)) results["pair"] = toJson(*pair);
     std::cout << toText(withSuggestion(results, guess));
     return;
   }
-  suite.isSingle ? printVector(reports.front()) : printSuite(reports);
+  suite.isSingle ? printVector(suite, reports) : printSuite(suite, reports);
   if (guess) std::cout << "suggestion: " << toText(*guess) << "; " << howToCalibrate << '\n';
 }
 

@@ -35,7 +35,7 @@ void renderVector(const RenderOptions& options, Context& context) {
       isReference ? render(vector)
                   : render(*makeRenderer(vector.list, options.device, options.deviceName), facesOf(vector));
   if (!isReference) context.console.message("drawn by " + deviceName(options.device, options.deviceName));
-  for (std::size_t f = 0; f < buffers.size(); ++f) vector.faces[f].hash = reference::idsHash(buffers[f].ids);
+  for (std::size_t f = 0; f < buffers.size(); ++f) vector.faces[f].hash = reference::faceHash(vector, buffers[f]);
   Staging staging({.place = options.output, .writer = "vector render", .replaced = ownFiles(options)});
   reference::writeVector(staging.folder(), vector, buffers);
   if (options.stages) reference::writeStages(staging.folder(), vector);

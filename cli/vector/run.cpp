@@ -186,6 +186,7 @@ void run(const RunOptions& options, Context& context) {
     const std::vector<Drawing> drawings = drawAll(options, device, suite, staging.folder());
     if (!LongRun::isStopping()) {
       reports = judgeAll(options.judging, suite, staging.folder(), drawings);
+      reference::nameStaleFrames(reports);
       staging.commit({}, filesToRemove(suite, options.output));
     }
   }

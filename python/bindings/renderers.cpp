@@ -124,7 +124,7 @@ class PythonRenderer final : public raster::ItemBufferRenderer {
 }  // namespace
 
 py::dict toDict(const raster::DrawList& list) {
-  raster::requireNearest(list);
+  raster::requireUsual(list);
   py::list draws, maps;
   for (const raster::Draw& draw : list.draws) draws.append(toDict(draw));
   for (const raster::IndexMap& map : list.indexMaps) maps.append(toArray(map.ids, {map.height, map.width}));

@@ -11,6 +11,7 @@
 #include "python/bindings/settings.h"
 #include "radiosity/bands/spectral_scene.h"
 #include "radiosity/discretization/discretize.h"
+#include "radiosity/discretization/exposure.h"
 #include "radiosity/discretization/patch_points.h"
 #include "radiosity/meshes/polygon_mesh.h"
 #include "radiosity/pictures/default_camera.h"
@@ -57,7 +58,7 @@ radiosity::SceneSettings sceneSettings(const Settings& settings) {
   assign(result.emission, settings.choice<EmissionUnit>("emission", {{"radiosity", EmissionUnit::Radiosity},
                                                                      {"radiance", EmissionUnit::Radiance}}));
   assign(result.facets, settings.flag("facets"));
-  if (result.facets && !settings.value("sides")) result.sides = Sides::One;
+  if (result.facets && result.sides == Sides::TwoOfSheets) result.sides = Sides::One;
   if (const auto names = settings.value("flip"))
     for (const py::handle& name : py::reinterpret_borrow<py::sequence>(*names))
       result.flip.push_back(textOf(name, "flip"));
@@ -65,10 +66,14 @@ radiosity::SceneSettings sceneSettings(const Settings& settings) {
   return result;
 }
 
+/// Facets lose what is inside solids.
+std::shared_ptr<const Scene> shared(Scene scene, const radiosity::SceneSettings& settings) {
+  return std::make_shared<const Scene>(settings.facets ? radiosity::withoutBuried(std::move(scene)) : std::move(scene));
+}
+
 PythonScene loadScene(const std::filesystem::path& file, const py::dict& given) {
   const radiosity::SceneSettings settings = sceneSettings(Settings(given));
-  return {unlocked([&] { return std::make_shared<const Scene>(radiosity::loadScene(file, settings)); }),
-          settings.facets};
+  return {unlocked([&] { return shared(radiosity::loadScene(file, settings), settings); }), settings.facets};
 }
 
 /// The mesh of faces, of which each belongs to a section: a group with a material, whose name is its number.
@@ -142,7 +147,7 @@ PythonScene sceneFromArrays(const py::object& vertices, const py::object& corner
             const auto named = [&](const std::vector<std::string>& names) {
               return materialsNamed(names, reflectances, emissions, settings);
             };
-            return std::make_shared<const Scene>(radiosity::makeScene(mesh, named, "arrays", settings));
+            return shared(radiosity::makeScene(mesh, named, "arrays", settings), settings);
           }),
           settings.facets};
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <system_error>
+#include <utility>
 
 #include "raster/base/input_error.h"
 #include "raster/base/short_number.h"
@@ -68,6 +69,21 @@ std::optional<TextLine> LineReader::next() {
   }
   ++number_;
   return std::nullopt;
+}
+
+std::optional<std::string> joinedLines(std::string_view text) {
+  if (text.find('\\') == text.npos) return std::nullopt;
+  std::string joined;
+  std::size_t continued = 0;
+  while (!text.empty()) {
+    std::string_view line = withoutComment(trim(takeLine(text)));
+    const bool continues = line.ends_with('\\');
+    if (continues) line.remove_suffix(1);
+    joined.append(line);
+    joined.append(continues ? 1 : std::exchange(continued, 0) + 1, continues ? ' ' : '\n');
+    if (continues) ++continued;
+  }
+  return joined;
 }
 
 std::optional<std::string_view> nextWord(std::string_view& rest) {

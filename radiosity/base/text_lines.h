@@ -43,6 +43,10 @@ class LineReader {
   int number_ = 0;
 };
 
+/// The text with lines that end with a backslash joined with the next ones, as OBJ and MTL have them; nothing without
+/// such lines. A comment ends with its line. Empty lines behind a joined one keep the numbers of the others.
+std::optional<std::string> joinedLines(std::string_view text);
+
 /// Removes the next word from `rest` and returns it; nothing at the end or before a word that begins with `#`. For
 /// lines of numbers.
 std::optional<std::string_view> nextWord(std::string_view& rest);

@@ -185,13 +185,14 @@ void validateNesting(const Surface& surface, const GridSize& size, const Quadtre
 
 bool hasMap(const Scene& scene, std::optional<int> Material::*map) {
   return std::any_of(scene.surfaces.begin(), scene.surfaces.end(), [&](const Surface& surface) {
-    return (scene.materials[static_cast<std::size_t>(surface.material)].*map).has_value();
+    return (scene.materials[static_cast<std::size_t>(surface.material)].*map).has_value() ||
+           (map == &Material::reflectanceMap && surface.hasColours);
   });
 }
 
 /// One value per element: that of the material times the average of its map, if any.
 std::vector<glm::dvec3> mappedValues(const Scene& scene, const Surface& surface, const Grid& grid,
-                                     const glm::dvec3& value, const std::optional<int>& map) {
+                                     const glm::dvec3& value, std::optional<int> Material::*map) {
   std::vector<glm::dvec3> values = meansOfMap(scene, surface, grid, map);
   for (glm::dvec3& mean : values) mean *= value;
   return values;
@@ -321,7 +322,7 @@ void averageMaps(const Scene& scene, Discretization& discretization) {
     std::vector<std::vector<glm::dvec3>> ofSurface(scene.surfaces.size());
     raster::parallelFor(ofSurface.size(), [&](std::size_t s) {
       const Material& material = scene.materials[static_cast<std::size_t>(scene.surfaces[s].material)];
-      ofSurface[s] = mappedValues(scene, scene.surfaces[s], discretization.grids[s], material.*value, material.*map);
+      ofSurface[s] = mappedValues(scene, scene.surfaces[s], discretization.grids[s], material.*value, map);
     });
     for (const std::vector<glm::dvec3>& some : ofSurface) values.insert(values.end(), some.begin(), some.end());
     return values;

@@ -39,7 +39,7 @@ BandTable ofElements(const Scene& scene, const Discretization& discretization, c
   raster::parallelFor(scene.surfaces.size(), [&](std::size_t s) {
     const auto material = static_cast<std::size_t>(scene.surfaces[s].material);
     const Grid& grid = discretization.grids[s];
-    const std::vector<glm::dvec3> means = meansOfMap(scene, scene.surfaces[s], grid, scene.materials[material].*map);
+    const std::vector<glm::dvec3> means = meansOfMap(scene, scene.surfaces[s], grid, map);
     for (std::uint32_t i = 0; i < grid.elementCount; ++i)
       for (std::size_t band = 0; band < table.bands; ++band)
         table[grid.firstElement + i][band] =

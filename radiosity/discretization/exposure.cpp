@@ -327,4 +327,23 @@ std::vector<Exposure> findExposure(const Scene& scene, std::span<const GridSize>
   return exposure;
 }
 
+Scene withoutBuried(Scene scene) {
+  const std::vector<Exposure> exposure = findExposure(scene, std::vector<GridSize>(scene.surfaces.size(), {1, 1}));
+  for (std::size_t s = 0; s < exposure.size(); ++s) {
+    std::vector<Triangle>& triangles = scene.surfaces[s].triangles;
+    if (exposure[s].isBuried) triangles.clear();
+    if (exposure[s].cutTexels.empty()) continue;
+    std::vector<Triangle> left;
+    for (const TexelPiece& exposed : exposure[s].cutTexels.front().exposed) {
+      std::vector<glm::dvec2> corners;
+      for (std::size_t k = 0; k < exposed.piece.size; ++k) corners.push_back(exposed.piece.corners[k].weight);
+      const std::vector<Triangle> parts = trianglesOf(triangles[exposed.triangle], corners);
+      left.insert(left.end(), parts.begin(), parts.end());
+    }
+    triangles = std::move(left);
+  }
+  removeEmptySurfaces(scene);
+  return scene;
+}
+
 }  // namespace hemitex::radiosity

@@ -29,4 +29,8 @@ struct Exposure {
 /// two-sided no backs are visible, so that all are exposed.
 std::vector<Exposure> findExposure(const Scene& scene, std::span<const GridSize> sizes);
 
+/// The scene without what is inside solids: triangles are cut along outlines, and surfaces that lie completely inside
+/// are left out. For surfaces of one element, whose index maps cannot tell what is inside.
+Scene withoutBuried(Scene scene);
+
 }  // namespace hemitex::radiosity

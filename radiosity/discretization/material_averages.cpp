@@ -13,10 +13,24 @@ namespace {
 /// Maximum number of pixels that are clipped for one surface.
 constexpr double maxPixels = 0x1p24;
 
-/// The texture coordinates of a triangle, moved by whole tiles, so that no digits are lost far from zero.
-std::array<glm::dvec2, 3> nearTexcoords(const Triangle& triangle) {
-  const glm::dvec2 tile = glm::floor(triangle.texcoord[0]);
-  return {triangle.texcoord[0] - tile, triangle.texcoord[1] - tile, triangle.texcoord[2] - tile};
+/// By how much places along an axis may move without showing other pixels, so that no digits are lost far from zero.
+double shiftOf(double a, double b, double c, Wrap wrap) {
+  const auto [low, high] = std::minmax({a, b, c});
+  if (wrap == Wrap::Repeat) return std::floor(a);
+  if (wrap == Wrap::Mirror) return 2 * std::floor(a / 2);
+  return low > 1 ? std::floor(low) - 1 : high < 0 ? std::ceil(high) : 0;
+}
+
+/// The places of the corners of a triangle in an image, near zero.
+std::array<glm::dvec2, 3> placesIn(const Image& image, const Triangle& triangle) {
+  std::array<glm::dvec2, 3> places;
+  for (std::size_t k = 0; k < 3; ++k) places[k] = image.sampler(triangle.texcoord[k]);
+  glm::dvec2 shift;
+  for (int axis = 0; axis < 2; ++axis)
+    shift[axis] =
+        shiftOf(places[0][axis], places[1][axis], places[2][axis], image.sampler.wrap[static_cast<std::size_t>(axis)]);
+  for (glm::dvec2& place : places) place -= shift;
+  return places;
 }
 
 /// Estimate of the number of pixels to clip: those in the bounds of the triangles and those at their border.
@@ -24,7 +38,7 @@ double pixelsShown(const Image& image, const Surface& surface) {
   const glm::dvec2 size(image.width, image.height);
   double pixels = 0;
   for (const Triangle& triangle : surface.triangles) {
-    const std::array<glm::dvec2, 3> t = nearTexcoords(triangle);
+    const std::array<glm::dvec2, 3> t = placesIn(image, triangle);
     const glm::dvec2 span = (glm::max(glm::max(t[0], t[1]), t[2]) - glm::min(glm::min(t[0], t[1]), t[2])) * size;
     pixels += span.x * span.y + span.x + span.y;
   }
@@ -41,19 +55,19 @@ std::optional<Image> reducedFor(const Surface& surface, const Image& image) {
   return reduced;
 }
 
-/// The pixel at a cell of the repeated image; rows count from v = 0, the bottom of the picture.
-const glm::dvec3& wrappedPixel(const Image& image, std::int64_t column, std::int64_t row) {
-  const std::int64_t i = (column % image.width + image.width) % image.width;
-  const std::int64_t j = (row % image.height + image.height) % image.height;
-  return image.pixels[static_cast<std::size_t>((image.height - 1 - j) * image.width + i)];
+using CornerColours = std::array<glm::dvec3, 3>;
+
+glm::dvec3 colourAt(const CornerColours& colours, const glm::dvec2& weight) {
+  return colours[0] + weight.x * (colours[1] - colours[0]) + weight.y * (colours[2] - colours[0]);
 }
 
-/// The mean of the image over a piece of a triangle, which is cut into triangles and these into pixels.
-glm::dvec3 meanOver(const Piece& piece, const std::array<glm::dvec2, 3>& texcoord, const Image& image) {
+/// The mean of the image times the colours of the corners over a piece of a triangle, which is cut into triangles and
+/// these into pixels. The mean of a colour over a pixel is the colour at the middle.
+glm::dvec3 meanOver(const Piece& piece, const Triangle& triangle, const CornerColours& colours, const Image& image) {
   const glm::dvec2 size(image.width, image.height);
+  const std::array<glm::dvec2, 3> places = placesIn(image, triangle);
   const auto inPixels = [&](const PieceCorner& corner) {
-    return size * (texcoord[0] + corner.weight.x * (texcoord[1] - texcoord[0]) +
-                   corner.weight.y * (texcoord[2] - texcoord[0]));
+    return size * (places[0] + corner.weight.x * (places[1] - places[0]) + corner.weight.y * (places[2] - places[0]));
   };
   glm::dvec3 sum(0);
   double weight = 0;
@@ -62,10 +76,14 @@ glm::dvec3 meanOver(const Piece& piece, const std::array<glm::dvec2, 3>& texcoor
     part.corners = {piece.corners[0], piece.corners[i - 1], piece.corners[i]};
     part.size = 3;
     const double partShare = share(part);
+    CornerColours ofPart;
+    for (std::size_t k = 0; k < 3; ++k) ofPart[k] = colourAt(colours, part.corners[k].weight);
     forEachCell({inPixels(part.corners[0]), inPixels(part.corners[1]), inPixels(part.corners[2])},
                 [&](std::int64_t column, std::int64_t row, const Piece& inPixel) {
                   const double pixelShare = partShare * share(inPixel);
-                  sum += pixelShare * wrappedPixel(image, column, row);
+                  const glm::dvec3& pixel =
+                      image.pixels[wrappedPixel(image.width, image.height, image.sampler.wrap, column, row)];
+                  sum += pixelShare * (pixel * colourAt(ofPart, centroid(inPixel)));
                   weight += pixelShare;
                 });
   }
@@ -74,7 +92,12 @@ glm::dvec3 meanOver(const Piece& piece, const std::array<glm::dvec2, 3>& texcoor
 
 }  // namespace
 
-std::vector<glm::dvec3> averageOverElements(const Image& image, const Surface& surface, const Grid& grid) {
+std::vector<glm::dvec3> meansOfMap(const Scene& scene, const Surface& surface, const Grid& grid,
+                                   std::optional<int> Material::*map) {
+  const bool isColoured = map == &Material::reflectanceMap && surface.hasColours;
+  const std::optional<int>& number = scene.materials[static_cast<std::size_t>(surface.material)].*map;
+  if (!number && !isColoured) return std::vector<glm::dvec3>(grid.elementCount, glm::dvec3(1));
+  const Image white{1, 1, {glm::dvec3(1)}}, &image = number ? scene.images[static_cast<std::size_t>(*number)] : white;
   const std::optional<Image> reduced = reducedFor(surface, image);
   const Image& sized = reduced ? *reduced : image;
   std::vector<glm::dvec3> sum(grid.elementCount);
@@ -83,7 +106,10 @@ std::vector<glm::dvec3> averageOverElements(const Image& image, const Surface& s
     const Triangle& triangle = surface.triangles[t];
     const std::size_t element = grid.elementOfTexel[texel] - grid.firstElement;
     const double pieceArea = share(piece) * area(triangle);
-    const glm::dvec3 mean = isOnePixel(sized) ? sized.pixels[0] : meanOver(piece, nearTexcoords(triangle), sized);
+    CornerColours colours;
+    for (std::size_t k = 0; k < 3; ++k) colours[k] = isColoured ? glm::dvec3(triangle.colour[k]) : glm::dvec3(1);
+    const glm::dvec3 mean = isOnePixel(sized) ? sized.pixels[0] * colourAt(colours, centroid(piece))
+                                              : meanOver(piece, triangle, colours, sized);
     sum[element] += pieceArea * mean;
     weight[element] += pieceArea;
   });
@@ -94,7 +120,7 @@ std::vector<glm::dvec3> averageOverElements(const Image& image, const Surface& s
 Image halved(const Image& image) {
   // Along one axis of n pixels, pixel i of the m = ceil(n/2) new ones covers [i, i+1] * n/m: two old pixels or parts of
   // three. In units of 1/m old pixels all borders are integers, so that the weights are exact.
-  Image half{(image.width + 1) / 2, (image.height + 1) / 2, {}};
+  Image half{(image.width + 1) / 2, (image.height + 1) / 2, {}, image.sampler};
   const auto overlap = [](int i, int n, int m, int old) {
     return std::max(0, std::min((i + 1) * n, (old + 1) * m) - std::max(i * n, old * m));
   };
@@ -111,12 +137,6 @@ Image halved(const Image& image) {
       half.pixels.push_back(sum / (static_cast<double>(image.width) * static_cast<double>(image.height)));
     }
   return half;
-}
-
-std::vector<glm::dvec3> meansOfMap(const Scene& scene, const Surface& surface, const Grid& grid,
-                                   const std::optional<int>& map) {
-  if (!map) return std::vector<glm::dvec3>(grid.elementCount, glm::dvec3(1));
-  return averageOverElements(scene.images[static_cast<std::size_t>(*map)], surface, grid);
 }
 
 }  // namespace hemitex::radiosity

@@ -81,19 +81,10 @@ std::pair<Polygon, Polygon> split(const Polygon& polygon, const Plane& plane, co
   return parts;
 }
 
-/// A triangle in the place of another one.
-struct Other {
-  std::uint32_t number;
-  std::array<glm::dvec2, 3> corners;  ///< counter-clockwise as the first triangle is, in its weights
-  bool isOpposite;
-  double tolerance;      ///< up to which corners lie on edges
-  glm::dvec2 low, high;  ///< the box around the corners
-};
-
 /// The part of a polygon inside another triangle; without corners if there is none. Otherwise calls outside(part) for
 /// the rest.
 template <typename Visit>
-Polygon inside(const Polygon& polygon, const Plane& plane, const Other& other, const Visit& outside) {
+Polygon inside(const Polygon& polygon, const Plane& plane, const FaceInPlace& other, const Visit& outside) {
   Polygon left = polygon;
   std::vector<Polygon> rest;
   for (std::size_t k = 0; k < 3 && !left.empty(); ++k) {
@@ -106,8 +97,15 @@ Polygon inside(const Polygon& polygon, const Plane& plane, const Other& other, c
   return left;
 }
 
+/// Twice the area of a polygon in weights, which is its share of the triangle.
+double doubledArea(const Polygon& polygon) {
+  double sum = 0;
+  for (std::size_t k = 2; k < polygon.size(); ++k) sum += cross(polygon[k - 1] - polygon[0], polygon[k] - polygon[0]);
+  return sum;
+}
+
 /// Whether the boxes around a polygon and a triangle meet, in weights.
-bool mayMeet(const Polygon& polygon, const Other& other) {
+bool mayMeet(const Polygon& polygon, const FaceInPlace& other) {
   glm::dvec2 low = polygon[0], high = low;
   for (const glm::dvec2& corner : polygon) {
     low = glm::min(low, corner);
@@ -116,80 +114,89 @@ bool mayMeet(const Polygon& polygon, const Other& other) {
   return glm::all(glm::lessThanEqual(low, other.high)) && glm::all(glm::greaterThanEqual(high, other.low));
 }
 
-Other otherOf(const TrianglePositions& triangle, std::uint32_t number, const Plane& plane, double tolerance) {
+FaceInPlace otherOf(const TrianglePositions& triangle, std::uint32_t number, const Plane& plane, double tolerance) {
   const std::array corners{plane.weightsOf(triangle[0]), plane.weightsOf(triangle[1]), plane.weightsOf(triangle[2])};
-  Other other{number,
-              corners,
-              glm::dot(unitNormal(triangle), plane.normal()) < 0,
-              4 * tolerance,
-              glm::min(glm::min(corners[0], corners[1]), corners[2]),
-              glm::max(glm::max(corners[0], corners[1]), corners[2])};
+  FaceInPlace other{number,
+                    corners,
+                    glm::dot(unitNormal(triangle), plane.normal()) < 0,
+                    4 * tolerance,
+                    glm::min(glm::min(corners[0], corners[1]), corners[2]),
+                    glm::max(glm::max(corners[0], corners[1]), corners[2]),
+                    0};
   if (other.isOpposite) std::swap(other.corners[1], other.corners[2]);
   return other;
 }
 
 const Polygon wholeTriangle{{0, 0}, {1, 0}, {0, 1}};
 
-/// Whether the solid of a triangle stands on another one in the same place, instead of being the outer skin of its
-/// room.
-bool standsOn(const Shells& shells, std::uint32_t triangle, std::uint32_t other) {
-  const std::uint32_t own = shells.ofTriangle[triangle], room = shells.ofTriangle[other];
-  if (shells.kinds[own] != ShellKind::Solid) return false;
-  const bool isSkin = shells.isClosed[own] && shells.isClosed[room] && shells.kinds[room] == ShellKind::Room &&
-                      shells.volumes[own] >= -(1 - shellVolumeRounding) * shells.volumes[room];
-  return !isSkin;
+/// Whether a triangle lies beyond an edge of the one whose weights its corners have, as most neighbours do.
+bool isBeyond(const std::array<glm::dvec2, 3>& corners) {
+  constexpr double rounding = 1e-9;
+  const auto all = [&](const auto& isOutside) { return std::all_of(corners.begin(), corners.end(), isOutside); };
+  return all([](const glm::dvec2& w) { return w.x <= rounding; }) ||
+         all([](const glm::dvec2& w) { return w.y <= rounding; }) ||
+         all([](const glm::dvec2& w) { return w.x + w.y >= 1 - rounding; });
 }
 
-/// Another triangle, if it has a place in common with a triangle, whose plane is given.
-std::optional<Other> inOnePlace(const TrianglePositions& triangle, const TrianglePositions& candidate,
-                                std::uint32_t number, const Plane& plane, double tolerance) {
-  std::array<double, 3> heights;
-  for (std::size_t k = 0; k < 3; ++k) heights[k] = plane.heightOf(candidate[k]);
-  const auto [lowest, highest] = std::minmax({heights[0], heights[1], heights[2]});
-  if (lowest > tolerance || highest < -tolerance) return std::nullopt;
-  const glm::dvec3 normal = unitNormal(candidate);
+/// Another triangle, if it has a place in common with a triangle, whose plane and height are given.
+std::optional<FaceInPlace> inOnePlace(const TrianglePositions& triangle, const NumberedTriangle& candidate,
+                                      const Plane& plane, double height, double largestTolerance) {
+  const TrianglePositions& corners = candidate.positions;
+  const auto [lowest, highest] =
+      std::minmax({plane.heightOf(corners[0]), plane.heightOf(corners[1]), plane.heightOf(corners[2])});
+  if (lowest > largestTolerance || highest < -largestTolerance) return std::nullopt;
+  const glm::dvec3 normal = unitNormal(corners);
   if (std::abs(glm::dot(normal, plane.normal())) < minCosine) return std::nullopt;
-  Other other = otherOf(candidate, number, plane, tolerance);
+  const double tolerance = std::min(largestTolerance, std::min(height, heightOf(corners)) / minHeights);
+  if (lowest > tolerance || highest < -tolerance) return std::nullopt;
+  FaceInPlace other = otherOf(corners, candidate.number, plane, tolerance);
+  if (isBeyond(other.corners)) return std::nullopt;
   const Polygon common = inside(wholeTriangle, plane, other, [](const Polygon&) {});
   const bool isNear = std::all_of(common.begin(), common.end(), [&](const glm::dvec2& weights) {
     const auto& [a, b, c] = triangle;
-    return std::abs(glm::dot(a + weights.x * (b - a) + weights.y * (c - a) - candidate[0], normal)) <= tolerance;
+    return std::abs(glm::dot(a + weights.x * (b - a) + weights.y * (c - a) - corners[0], normal)) <= tolerance;
   });
   if (common.empty() || !isNear) return std::nullopt;
+  other.share = doubledArea(common);
   return other;
 }
 
-/// The triangles in the place of triangle `number` that change what is seen of it, by number.
-std::vector<Other> othersInPlace(std::span<const TrianglePositions> triangles, const Shells& shells,
-                                 std::uint32_t number, std::span<const std::uint32_t> near, const Plane& plane,
-                                 double tolerance) {
-  const double height = heightOf(triangles[number]);
-  std::vector<Other> others;
-  for (const std::uint32_t n : near) {
-    const double length = std::min(tolerance, std::min(height, heightOf(triangles[n])) / minHeights);
-    if (n == number) continue;
-    if (auto other = inOnePlace(triangles[number], triangles[n], n, plane, length)) others.push_back(*other);
-  }
-  std::sort(others.begin(), others.end(), [](const Other& a, const Other& b) { return a.number < b.number; });
-  // What stands on this triangle backs nothing.
-  std::erase_if(others, [&](const Other& other) { return other.isOpposite && standsOn(shells, other.number, number); });
-  const bool matters = std::any_of(others.begin(), others.end(), [&](const Other& other) {
-    return !other.isOpposite || !standsOn(shells, number, other.number);
-  });
-  if (others.size() > maxOthers || !matters) others.clear();
-  return others;
+/// Whether the solid of a triangle stands on another one in the same place, instead of being a skin.
+bool standsOn(const ContactRules& rules, std::uint32_t triangle, std::uint32_t other) {
+  const Shells& shells = rules.shells;
+  const std::uint32_t own = shells.ofTriangle[triangle], room = shells.ofTriangle[other];
+  if (shells.kinds[own] != ShellKind::Solid || rules.isSkin[own]) return false;
+  const bool isSkinOfRoom = shells.isClosed[own] && shells.isClosed[room] && shells.kinds[room] == ShellKind::Room &&
+                            shells.volumes[own] >= -(1 - shellVolumeRounding) * shells.volumes[room];
+  return !isSkinOfRoom;
+}
+
+/// Whether two triangles belong to closed solids, which are joined where they touch.
+bool areJoined(const ContactRules& rules, std::uint32_t triangle, std::uint32_t other) {
+  const Shells& shells = rules.shells;
+  const auto isOfSolid = [&](std::uint32_t t) {
+    const std::uint32_t shell = shells.ofTriangle[t];
+    return shells.kinds[shell] == ShellKind::Solid && shells.isClosed[shell] && !rules.isSkin[shell] &&
+           !shells.isTurnedOver[t];
+  };
+  const bool isIndoors = !rules.isIndoors.empty() && rules.isIndoors[triangle] != 0;
+  return !isIndoors && isOfSolid(triangle) && isOfSolid(other);
 }
 
 /// A part of a triangle while others cut it.
 struct Part {
   Polygon polygon;
-  bool isBacked = false;                    ///< by a face that it does not stand on
+  bool isBacked = false;  ///< by a face that it does not stand on
+  bool isJoined = false;
   bool isOpposed = false;                   ///< whether any face looks the other way
   std::vector<std::uint32_t> sameWay = {};  ///< those that look the same way, ascending
 };
 
-/// Cuts parts by another triangle. `isBacking` says whether it can back the triangle.
-std::vector<Part> cutBy(const Other& other, bool isBacking, std::vector<Part> parts, const Plane& plane) {
+/// Cuts the parts of triangle `number` by another one.
+std::vector<Part> cutBy(const FaceInPlace& other, std::uint32_t number, const ContactRules& rules,
+                        std::vector<Part> parts, const Plane& plane) {
+  const bool isJoined = other.isOpposite && areJoined(rules, number, other.number);
+  const bool isBacking = other.isOpposite && !standsOn(rules, number, other.number);
   std::vector<Part> result;
   for (Part& part : parts) {
     Part within = part;
@@ -204,46 +211,76 @@ std::vector<Part> cutBy(const Other& other, bool isBacking, std::vector<Part> pa
       continue;
     }
     within.isOpposed = within.isOpposed || other.isOpposite;
-    within.isBacked = within.isBacked || (other.isOpposite && isBacking);
+    within.isBacked = within.isBacked || isBacking;
+    within.isJoined = within.isJoined || isJoined;
     if (!other.isOpposite) within.sameWay.push_back(other.number);
     result.push_back(std::move(within));
   }
   return result;
 }
 
-/// The contact of a part of triangle `number`. The last face covers the others, but the front of a solid that stands on
-/// something none.
-Contact contactOf(const Part& part, std::uint32_t number, const Shells& shells) {
+/// Whether a part of a triangle reaches one of its edges.
+bool reachesBorder(const Polygon& polygon) {
+  constexpr double rounding = 1e-9;
+  return std::any_of(polygon.begin(), polygon.end(), [](const glm::dvec2& weights) {
+    return std::min({weights.x, weights.y, 1 - weights.x - weights.y}) <= rounding;
+  });
+}
+
+/// The contact of a part of triangle `number`. The front of a solid that stands on something covers nothing.
+Contact contactOf(const Part& part, std::uint32_t number, const ContactRules& rules) {
   const auto rank = [&](std::uint32_t n) {
-    return std::pair(!(part.isOpposed && shells.kindOf(n) == ShellKind::Solid), n);
+    return std::pair(!(part.isOpposed && rules.shells.kindOf(n) == ShellKind::Solid), rules.ranks[n]);
   };
   std::uint32_t last = number;
   for (const std::uint32_t n : part.sameWay)
     if (rank(n) > rank(last)) last = n;
-  Contact contact{.isBacked = part.isBacked};
+  Contact contact{.isBacked = part.isBacked, .isJoined = part.isJoined};
   if (last != number) contact.coveredBy = last;
   return contact;
 }
 
 }  // namespace
 
-std::vector<ContactPart> contactParts(std::span<const TrianglePositions> triangles, const Shells& shells,
-                                      std::uint32_t number, std::span<const std::uint32_t> near, double tolerance) {
-  const Plane plane(triangles[number]);
-  const std::vector<Other> others = othersInPlace(triangles, shells, number, near, plane, tolerance);
-  if (others.empty()) return {};
+std::vector<FaceInPlace> facesInPlace(const TrianglePositions& triangle, std::span<const NumberedTriangle> near,
+                                      double tolerance) {
+  const Plane plane(triangle);
+  const double height = heightOf(triangle);
+  std::vector<FaceInPlace> others;
+  for (const NumberedTriangle& candidate : near)
+    if (auto other = inOnePlace(triangle, candidate, plane, height, tolerance)) others.push_back(*other);
+  std::sort(others.begin(), others.end(),
+            [](const FaceInPlace& a, const FaceInPlace& b) { return a.number < b.number; });
+  return others;
+}
+
+std::vector<ContactPart> contactParts(const TrianglePositions& triangle, std::uint32_t number,
+                                      std::vector<FaceInPlace> others, const ContactRules& rules) {
+  // What stands on this triangle backs nothing.
+  std::erase_if(others, [&](const FaceInPlace& other) {
+    return other.isOpposite && standsOn(rules, other.number, number) && !areJoined(rules, number, other.number);
+  });
+  const bool matters = std::any_of(others.begin(), others.end(), [&](const FaceInPlace& other) {
+    return !other.isOpposite || !standsOn(rules, number, other.number) || areJoined(rules, number, other.number);
+  });
+  if (others.size() > maxOthers || !matters) return {};
+  const Plane plane(triangle);
   std::vector<Part> parts{{wholeTriangle}};
-  for (const Other& other : others)
-    parts = cutBy(other, !standsOn(shells, number, other.number), std::move(parts), plane);
+  for (const FaceInPlace& other : others) parts = cutBy(other, number, rules, std::move(parts), plane);
+  const bool isWhole = std::all_of(parts.begin(), parts.end(), [](const Part& part) { return part.isJoined; });
   std::vector<ContactPart> result;
   for (Part& part : parts) {
-    const Contact contact = contactOf(part, number, shells);
+    // Exposure finds the others without a cut.
+    part.isJoined = part.isJoined && !isWhole && reachesBorder(part.polygon);
+    const Contact contact = contactOf(part, number, rules);
     result.push_back({std::move(part.polygon), contact});
   }
   const Contact& first = result.front().contact;
   const bool isOne = std::all_of(result.begin(), result.end(), [&](const ContactPart& part) {
-    return part.contact.isBacked == first.isBacked && part.contact.coveredBy.has_value() == first.coveredBy.has_value();
+    return part.contact.isBacked == first.isBacked && part.contact.isJoined == first.isJoined &&
+           part.contact.coveredBy.has_value() == first.coveredBy.has_value();
   });
+  if (isOne && first == Contact{}) return {};
   if (isOne) return {{wholeTriangle, first}};
   return result;
 }

@@ -12,6 +12,8 @@
 #include <string>
 #include <vector>
 
+#include "radiosity/images/image.h"
+
 namespace hemitex::radiosity {
 
 // ---- The parts of a glTF 2.0 file that hemitex writes: objects with textures, and a camera --------------------------
@@ -19,7 +21,8 @@ namespace hemitex::radiosity {
 struct GltfTexture {
   std::string name;
   std::vector<unsigned char> png;  ///< the bytes of a PNG file, sRGB as glTF requires of base colours
-  bool repeats = false;            ///< outside [0,1]^2, instead of keeping the colour of the edge
+  /// Of coordinates with v = 0 at the bottom.
+  Sampler sampler = {.wrap = {Wrap::Clamp, Wrap::Clamp}};
 };
 
 /// A light map beside the file, which the `extras` of a material name; see docs/lightmaps.md.
@@ -46,6 +49,7 @@ struct GltfPrimitive {
   std::vector<glm::vec2> texcoords;            ///< one per vertex; v = 0 is the TOP of the texture
   std::vector<std::uint32_t> corners;          ///< three vertices per triangle, counter-clockwise seen from the front
   std::vector<glm::vec2> lightMapCoords = {};  ///< TEXCOORD_1: one per vertex, as `texcoords`; or empty
+  std::vector<glm::vec3> colours = {};         ///< COLOR_0: one per vertex; or empty
 };
 
 /// A node. Without primitives it has no mesh.
@@ -78,17 +82,19 @@ struct GltfModel {
 // ---- The parts of a glTF 2.0 file that hemitex reads: triangles in world space, materials, images and the camera ----
 
 struct ImportedMaterial {
-  std::string name;                        ///< unique and not empty
-  glm::dvec3 baseColor{1.0};               ///< linear, as the file states it
-  std::optional<int> baseColorImage = {};  ///< in GltfImport::images
-  glm::dvec3 emission{0.0};                ///< the emissive factor times the emissive strength
-  std::optional<int> emissionImage = {};   ///< in GltfImport::images
-  std::string transparency = {};           ///< what lets light through, such as `BLEND`; empty if nothing does
+  std::string name;                                     ///< unique and not empty
+  std::optional<glm::dvec3> baseColor = {};             ///< linear, as the file states it
+  std::optional<int> baseColorImage = {};               ///< in GltfImport::images
+  Sampler baseColorSampler = {}, emissionSampler = {};  ///< of scene coordinates, with v = 0 at the bottom
+  int texcoords = 0;                                    ///< the set of texture coordinates that its textures use
+  glm::dvec3 emission{0.0};                             ///< the emissive factor times the emissive strength
+  std::optional<int> emissionImage = {};                ///< in GltfImport::images
+  std::string transparency = {};  ///< what lets light through, such as `BLEND`; empty if nothing does
 };
 
 struct ImportedImage {
   std::string name;                  ///< for messages; not empty
-  std::vector<unsigned char> bytes;  ///< of a PNG or JPEG file; empty if the file is missing
+  std::vector<unsigned char> bytes;  ///< of a PNG, JPEG or WebP file; empty if the file is missing
 };
 
 /// A node, with a mesh or without.
@@ -103,6 +109,7 @@ struct ImportedPart {
   std::optional<int> material = {};    ///< in GltfImport::materials
   std::vector<glm::dvec3> positions;   ///< one per vertex, in world space
   std::vector<glm::dvec2> texcoords;   ///< one per vertex, or empty; v = 0 is the TOP of an image
+  std::vector<glm::dvec3> colours;     ///< linear, one per vertex, or empty
   std::vector<glm::dvec3> normals;     ///< one per vertex, in world space, of any length; or empty
   std::vector<std::uint32_t> corners;  ///< three vertices per triangle, counter-clockwise seen from the front
 };

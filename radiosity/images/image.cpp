@@ -104,16 +104,21 @@ glm::dvec3 pixelAt(const CodedImage& image, std::size_t pixel) {
 
 template <typename AnyImage>
 glm::dvec3 bilinearIn(const AnyImage& image, const glm::dvec2& uv) {
-  const glm::dvec2 wrapped = uv - glm::floor(uv);  // first, so that the following values are small
-  const double x = wrapped.x * image.width - 0.5, y = (1 - wrapped.y) * image.height - 0.5;
+  const glm::dvec2 place = nearPlace(image.sampler(uv), image.sampler.wrap);
+  const double x = place.x * image.width - 0.5, y = (1 - place.y) * image.height - 0.5;
   const int column = static_cast<int>(std::floor(x)), row = static_cast<int>(std::floor(y));
   const auto at = [&](int c, int r) {
-    const int wrappedColumn = (c + image.width) % image.width, wrappedRow = (r + image.height) % image.height;
-    return pixelAt(image, static_cast<std::size_t>(wrappedRow) * static_cast<std::size_t>(image.width) +
-                              static_cast<std::size_t>(wrappedColumn));
+    return pixelAt(image, wrappedPixel(image.width, image.height, image.sampler.wrap, c, image.height - 1 - r));
   };
   return glm::mix(glm::mix(at(column, row), at(column + 1, row), x - column),
                   glm::mix(at(column, row + 1), at(column + 1, row + 1), x - column), y - row);
+}
+
+/// The cell of one period that an image shows at a cell of an axis.
+std::size_t wrappedCell(std::int64_t cell, std::int64_t size, Wrap wrap) {
+  if (wrap == Wrap::Clamp) return static_cast<std::size_t>(std::clamp<std::int64_t>(cell, 0, size - 1));
+  const std::int64_t period = wrap == Wrap::Mirror ? 2 * size : size, within = (cell % period + period) % period;
+  return static_cast<std::size_t>(within < size ? within : period - 1 - within);
 }
 
 /// Makes an image of rows, with linear values. A larger one than is kept is reduced while its rows arrive: its sides
@@ -227,7 +232,7 @@ std::uint8_t encodeSrgb(double linear) {
 }
 
 CodedImage encodeSrgb(const Image& image) {
-  CodedImage coded{image.width, image.height, {}};
+  CodedImage coded{image.width, image.height, {}, image.sampler};
   coded.codes.reserve(3 * image.pixels.size());
   for (const glm::dvec3& pixel : image.pixels)
     for (int band = 0; band < 3; ++band) coded.codes.push_back(encodeSrgb(pixel[band]));
@@ -235,10 +240,24 @@ CodedImage encodeSrgb(const Image& image) {
 }
 
 Image decodeSrgb(const CodedImage& image) {
-  Image decoded{image.width, image.height, {}};
+  Image decoded{image.width, image.height, {}, image.sampler};
   decoded.pixels.reserve(image.codes.size() / 3);
   for (std::size_t pixel = 0; pixel < image.codes.size() / 3; ++pixel) decoded.pixels.push_back(pixelAt(image, pixel));
   return decoded;
+}
+
+std::size_t wrappedPixel(int width, int height, const std::array<Wrap, 2>& wrap, std::int64_t column,
+                         std::int64_t row) {
+  return (static_cast<std::size_t>(height) - 1 - wrappedCell(row, height, wrap[1])) * static_cast<std::size_t>(width) +
+         wrappedCell(column, width, wrap[0]);
+}
+
+glm::dvec2 nearPlace(const glm::dvec2& place, const std::array<Wrap, 2>& wrap) {
+  const auto near = [](double at, Wrap along) {
+    if (along == Wrap::Clamp) return std::clamp(at, 0.0, 1.0);
+    return along == Wrap::Mirror ? at - 2 * std::floor(at / 2) : at - std::floor(at);
+  };
+  return {near(place.x, wrap[0]), near(place.y, wrap[1])};
 }
 
 glm::dvec3 bilinear(const Image& image, const glm::dvec2& uv) { return bilinearIn(image, uv); }

@@ -2,6 +2,8 @@
 /// so that all machines give the same pixels.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <glm/glm.hpp>
@@ -10,11 +12,24 @@
 
 namespace hemitex::radiosity {
 
+/// What an image shows outside [0,1]^2, along an axis: the image again, the colour of its edge, or its mirror image.
+enum class Wrap { Repeat, Clamp, Mirror };
+
+/// How texture coordinates lead to a place in an image.
+struct Sampler {
+  glm::dmat3x2 place{1.0};  ///< from (u, v, 1)
+  std::array<Wrap, 2> wrap = {Wrap::Repeat, Wrap::Repeat};
+
+  glm::dvec2 operator()(const glm::dvec2& texcoord) const { return place * glm::dvec3(texcoord, 1); }
+  bool operator==(const Sampler& other) const { return place == other.place && wrap == other.wrap; }
+};
+
 /// Row-major RGB image with linear values; row 0 is the top.
 struct Image {
   int width = 0;
   int height = 0;
   std::vector<glm::dvec3> pixels;  ///< width * height pixels
+  Sampler sampler = {};
 };
 
 /// Row-major RGB image with 8-bit sRGB codes, in an eighth of the memory of an Image; row 0 is the top.
@@ -22,6 +37,7 @@ struct CodedImage {
   int width = 0;
   int height = 0;
   std::vector<std::uint8_t> codes;  ///< 3 * width * height codes
+  Sampler sampler = {};
 };
 
 /// Image with any number of named channels, such as one per band of wavelengths: row-major, linear values, channel by
@@ -42,7 +58,12 @@ std::uint8_t encodeSrgb(double linear);
 CodedImage encodeSrgb(const Image& image);
 Image decodeSrgb(const CodedImage& image);
 
-/// The colour at (u, v), bilinear in linear values between pixel centres and repeating; v = 0 is the bottom. Both give
+/// The pixel that an image shows at a cell of its endless grid; columns count from u = 0, rows from v = 0, the bottom.
+std::size_t wrappedPixel(int width, int height, const std::array<Wrap, 2>& wrap, std::int64_t column, std::int64_t row);
+/// A place in an image, moved by whole periods to [0, 2), or clamped to [0, 1]; no digits are lost far from zero.
+glm::dvec2 nearPlace(const glm::dvec2& place, const std::array<Wrap, 2>& wrap);
+
+/// The colour at texture coordinates, bilinear in linear values between pixel centres; v = 0 is the bottom. Both give
 /// the same colour for an image and its codes if the image has only values of codes.
 glm::dvec3 bilinear(const Image& image, const glm::dvec2& uv);
 glm::dvec3 bilinear(const CodedImage& image, const glm::dvec2& uv);
@@ -53,7 +74,7 @@ glm::dvec3 bilinear(const CodedImage& image, const glm::dvec2& uv);
 /// covers. Throws InputError if the file cannot be read, contains a NaN or an infinity, or has more than 2^28 pixels.
 Image readImage(const std::filesystem::path& file);
 
-/// As readImage for the bytes of a PNG or JPEG file; `name` is for messages.
+/// As readImage for the bytes of a PNG, JPEG or WebP file; `name` is for messages.
 Image decodeImage(const std::vector<unsigned char>& bytes, const std::filesystem::path& name);
 
 /// The bytes of an 8-bit sRGB PNG; equal pixels give equal bytes. Throws InputError, which names `file`, if the image

@@ -34,7 +34,7 @@ struct ImageProblem {
 struct ImageFunctions {
   /// Reads a file of at most `maxPixels` pixels, except PNG and JPEG files.
   ImageProblem (*read)(const std::string& file, std::uint64_t maxPixels, const RowReceiver& receive);
-  /// Decodes the bytes of a PNG or JPEG file of at most `maxPixels` pixels.
+  /// Decodes the bytes of a PNG, JPEG or WebP file of at most `maxPixels` pixels.
   ImageProblem (*decode)(const std::vector<unsigned char>& bytes, std::uint64_t maxPixels, const RowReceiver& receive);
   /// Encodes samples as `format` ("png" or "openexr") in memory. Equal samples give equal bytes.
   ImageProblem (*encode)(const std::string& format, const std::string& colourSpace, const ImageSamples& samples,

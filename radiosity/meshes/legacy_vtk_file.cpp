@@ -41,7 +41,7 @@ class LegacyReader {
     for (std::size_t cell = 0; cell < cells_.count(); ++cell) {
       if (!types_.empty() && types_.size() != cells_.count()) fail("there are not as many types as cells");
       addVtkCell(mesh_, types_.empty() ? vtkPolygon : types_[cell], cells_.of(cell), {file_}, leftOut_);
-      if (mesh_.polygons.size() > faces.size()) faces.push_back(others + static_cast<std::uint32_t>(cell));
+      faces.resize(mesh_.polygons.size(), others + static_cast<std::uint32_t>(cell));
     }
     cellCount_ = others + static_cast<std::uint32_t>(cells_.count());
     if (!mesh_.arrays.empty()) readData(faces);
@@ -75,7 +75,10 @@ class LegacyReader {
         fail("the data set " + raster::excerpt(kind.value_or("")) + " is no mesh of faces");
     } else if (keyword == "POINTS") {
       readPoints(words);
-    } else if (keyword == "POLYGONS" || keyword == "CELLS") {
+    } else if (keyword == "POLYGONS") {
+      readCells(words);
+      types_.resize(cells_.count(), vtkPolygon);
+    } else if (keyword == "CELLS") {
       readCells(words);
     } else if (keyword == "CELL_TYPES") {
       const std::uint32_t count = number(words);
@@ -89,7 +92,8 @@ class LegacyReader {
       std::swap(ignored, cells_);
       leftOut_ += static_cast<std::uint32_t>(ignored.count());
     } else if (keyword == "TRIANGLE_STRIPS") {
-      radiosity::fail(place(), "strips of triangles are not read", "divide them, in ParaView with Triangulate");
+      readCells(words);
+      types_.resize(cells_.count(), vtkStrip);
     } else if (keyword == "METADATA") {
       skipMetadata();
     } else if (!keyword.empty()) {

@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
+#include <limits>
 
 #include "raster/base/input_error.h"
 
@@ -12,7 +13,7 @@ namespace hemitex::radiosity {
 namespace {
 
 template <typename Number>
-double numberOf(std::array<char, 8> bytes, std::size_t size) {
+double numberIn(std::array<char, 8> bytes, std::size_t size) {
   Number number = 0;
   std::memcpy(&number, bytes.data(), size);
   return static_cast<double>(number);
@@ -67,6 +68,13 @@ double NumberSource::next(NumberType type) {
     const std::string_view text = word();
     return readNumber(text, place());
   }
+  const double number = nextAny(type);
+  if (!std::isfinite(number)) fail(place(), "a number is not finite");
+  return number;
+}
+
+double NumberSource::nextAny(NumberType type) {
+  if (encoding_ == NumberEncoding::Text) return numberOf(word()).value_or(std::numeric_limits<double>::quiet_NaN());
   const std::size_t size = bytesOf(type);
   if (bytes_.size() < size) fail(place(), "the file ends where a number is missing", giveWhole);
   std::array<char, 8> bytes{};
@@ -74,13 +82,11 @@ double NumberSource::next(NumberType type) {
   bytes_.remove_prefix(size);
   const bool isNative = (encoding_ == NumberEncoding::LittleEndian) == (std::endian::native == std::endian::little);
   if (!isNative) std::reverse(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(size));
-  constexpr std::array readers{numberOf<std::int8_t>,   numberOf<std::uint8_t>,  numberOf<std::int16_t>,
-                               numberOf<std::uint16_t>, numberOf<std::int32_t>,  numberOf<std::uint32_t>,
-                               numberOf<std::int64_t>,  numberOf<std::uint64_t>, numberOf<float>,
-                               numberOf<double>};
-  const double number = readers[static_cast<std::size_t>(type)](bytes, size);
-  if (!std::isfinite(number)) fail(place(), "a number is not finite");
-  return number;
+  constexpr std::array readers{numberIn<std::int8_t>,   numberIn<std::uint8_t>,  numberIn<std::int16_t>,
+                               numberIn<std::uint16_t>, numberIn<std::int32_t>,  numberIn<std::uint32_t>,
+                               numberIn<std::int64_t>,  numberIn<std::uint64_t>, numberIn<float>,
+                               numberIn<double>};
+  return readers[static_cast<std::size_t>(type)](bytes, size);
 }
 
 std::uint32_t NumberSource::nextIndex(NumberType type, std::uint32_t most) {

@@ -28,6 +28,8 @@ class NumberSource {
 
   /// The next number. Throws InputError at the end, and for a word that is no finite number.
   double next(NumberType type);
+  /// As above, but a number may be infinite or NaN in binary, and a word of a text is NaN if it is no number.
+  double nextAny(NumberType type);
   /// The next number as an integer from 0 to `most`. Throws InputError for any other number.
   std::uint32_t nextIndex(NumberType type, std::uint32_t most);
   /// Skips numbers. Throws InputError at the end.

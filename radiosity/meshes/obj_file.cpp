@@ -9,12 +9,43 @@
 #include <utility>
 
 #include "radiosity/base/text_lines.h"
+#include "radiosity/images/image.h"
 #include "raster/base/file_io.h"
 #include "raster/base/input_error.h"
 #include "raster/base/short_number.h"
 
 namespace hemitex::radiosity {
 namespace {
+
+/// `fo` is the older keyword of the same.
+bool isFace(const TextLine& line) { return line.keyword == "f" || line.keyword == "fo"; }
+
+/// Collects the statements that are left out although they may change the light.
+class OmittedStatements {
+ public:
+  void read(const TextLine& line) {
+    // Those of this reader, and those that change no light: smoothing groups, points of curves, displays and comments.
+    constexpr std::string_view harmless =
+        " v vt vn f fo g o usemtl mtllib s mg vp bevel c_interp d_interp lod shadow_obj trace_obj ctech stech cstype "
+        "deg "
+        "bmat step parm trim hole scrv sp end con ";
+    if (harmless.find(" " + std::string(line.keyword) + " ") != harmless.npos) return;
+    lines_.try_emplace(std::string(line.keyword), line.number);
+  }
+
+  void warn(std::vector<std::string>& warnings) const {
+    constexpr std::size_t maxNames = 8;
+    std::string names;
+    std::size_t count = 0;
+    for (const auto& [keyword, line] : lines_)
+      if (count++ < maxNames)
+        names += (names.empty() ? "`" : ", `") + raster::excerpt(keyword) + "` (line " + std::to_string(line) + ")";
+    if (!names.empty()) warnings.push_back("only polygons are read; these statements are left out: " + names);
+  }
+
+ private:
+  std::map<std::string, int> lines_;  ///< the first one of each keyword
+};
 
 /// Parses the lines that hold numbers.
 class NumberReader {
@@ -26,7 +57,7 @@ class NumberReader {
     if (line.keyword == "v") readPosition(line.rest, place);
     if (line.keyword == "vt") readTexcoord(line.rest, place);
     if (line.keyword == "vn") readNormal(line.rest, place);
-    if (line.keyword == "f") readPolygon(line.rest, place);
+    if (isFace(line)) readPolygon(line.rest, place);
   }
 
   /// An index may point forward, so that the upper end of the range is known only after the last line.
@@ -43,12 +74,22 @@ class NumberReader {
   }
 
  private:
-  /// `v x y z`, with an optional weight `w`, colour `r g b`, or colour and alpha, which are ignored.
+  /// `v x y z`, with an optional weight `w`, which only curves have a use for, or a colour `r g b`, sRGB-encoded as
+  /// Blender and MeshLab write it; a seventh number, alpha, is left out.
   void readPosition(std::string_view rest, const Place& place) {
     std::array<double, 7> n{};
     const std::size_t count = readNumbers(rest, n, place);
     if (count < 3 || count == 5) fail(place, "a vertex has 3 coordinates, and may have a weight or a colour behind");
     addPosition(obj_, {n[0], n[1], n[2]}, place);
+    if (count > 5) setColour(obj_, decodeSrgb(glm::dvec3(n[3], n[4], n[5])));
+    if (count > 5 && std::max({n[3], n[4], n[5]}) > 1 && !std::exchange(hasBrightColour_, true))
+      warn("a colour of a vertex is above 1, and becomes 1", place.line);
+    if (count == 4 && n[3] != 1 && !std::exchange(hasWeight_, true))
+      warn("a vertex has a fourth coordinate, which is left out", place.line);
+  }
+
+  void warn(const std::string& what, int line) {
+    obj_.warnings.push_back(what + " (line " + std::to_string(line) + ", and perhaps others)");
   }
 
   void readTexcoord(std::string_view rest, const Place& place) {
@@ -147,7 +188,7 @@ class NumberReader {
 
   const std::filesystem::path& file_;
   PolygonMesh& obj_;
-  bool hasWarned_ = false;
+  bool hasWarned_ = false, hasWeight_ = false, hasBrightColour_ = false;
 };
 
 /// Assigns polygons to sections.
@@ -157,7 +198,7 @@ class StructureReader {
 
   /// The line of a face is already parsed: its polygon is the last one.
   void read(const TextLine& line) {
-    if (line.keyword == "f") obj_.polygons.back().section = sectionOfFace();
+    if (isFace(line)) obj_.polygons.back().section = sectionOfFace();
     if (line.keyword == "g") setGroup(withSingleBlanks(line.rest));
     if (line.keyword == "o") setGroup(std::string(line.rest));
     if (line.keyword == "usemtl") setMaterial(std::string(line.rest));
@@ -208,13 +249,17 @@ PolygonMesh parseObj(std::string_view text, const std::filesystem::path& file) {
   PolygonMesh obj;
   NumberReader numbers(file, obj);
   StructureReader structure(obj);
-  LineReader lines(text, file);
+  OmittedStatements omitted;
+  const std::optional<std::string> joined = joinedLines(text);
+  LineReader lines(joined ? *joined : text, file);
   while (const std::optional<TextLine> line = lines.next()) {
     numbers.read(*line);
     structure.read(*line);
+    omitted.read(*line);
     if (line->keyword == "mtllib" && !line->rest.empty()) obj.materialLibraries.emplace_back(line->rest);
   }
   numbers.checkRanges();
+  omitted.warn(obj.warnings);
   return obj;
 }
 

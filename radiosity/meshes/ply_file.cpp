@@ -1,8 +1,10 @@
 #include "radiosity/meshes/ply_file.h"
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
+#include "radiosity/images/image.h"
 #include "radiosity/meshes/number_source.h"
 #include "raster/base/input_error.h"
 
@@ -27,6 +29,7 @@ struct Header {
   std::vector<Element> elements = {};
   std::string_view body = {};
   int bodyLine = 0;
+  bool hasTexture = false;  ///< a comment names one, as MeshLab writes it
 };
 
 NumberEncoding encodingNamed(std::string_view name, const Place& place) {
@@ -53,6 +56,7 @@ Header parseHeader(std::string_view bytes, const std::filesystem::path& file) {
     };
     const std::string_view keyword = nextWord(rest).value_or("");
     if (keyword == "end_header") break;
+    if (keyword == "comment" && nextWord(rest) == "TextureFile") header.hasTexture = true;
     if (keyword == "format") header.encoding = encodingNamed(word(), place);
     if (keyword == "element") {
       const std::string name(word());
@@ -86,6 +90,8 @@ class Body {
         readVertex(element);
       } else if (element.name == "face") {
         readFace(element);
+      } else if (element.name == "tristrips") {
+        readStrips(element);
       } else {
         for (const Property& property : element.properties) skip(property);
       }
@@ -97,18 +103,55 @@ class Body {
  private:
   void readVertex(const Element& element) {
     glm::dvec3 position(0.0);
+    glm::dvec3 colour(1.0);
+    bool hasColour = false;
     for (const Property& property : element.properties) {
-      const int axis = property.name == "x" ? 0 : property.name == "y" ? 1 : property.name == "z" ? 2 : -1;
-      if (axis < 0 || property.countType)
-        skip(property);
-      else
+      const int axis = indexIn(" x y z ", property), channel = indexIn(" red green blue ", property);
+      if (axis >= 0) {
         position[axis] = source_.next(property.type);
+      } else if (channel >= 0) {
+        colour[channel] = source_.next(property.type) / whiteOf(property.type);
+        hasColour = true;
+      } else {
+        skip(property);
+      }
     }
     addPosition(mesh, position, source_.place());
+    if (hasColour) setColour(mesh, decodeSrgb(colour));
+  }
+
+  /// The number of a property among three names; -1 for others.
+  static int indexIn(std::string_view names, const Property& property) {
+    const std::size_t at = names.find(" " + property.name + " ");
+    if (at == names.npos || property.countType) return -1;
+    return static_cast<int>(std::count(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(at), ' '));
+  }
+
+  /// The value of a full channel of a colour.
+  static double whiteOf(NumberType type) {
+    return type == NumberType::Uint8 ? 255 : type == NumberType::Uint16 ? 65535 : 1;
   }
 
   void readFace(const Element& element) {
     std::vector<std::uint32_t> corners;
+    forEachIndex(element, [&](double index) { corners.push_back(vertexAt(index)); });
+    addPolygon(mesh, corners, source_.place());
+  }
+
+  /// A negative index ends a strip.
+  void readStrips(const Element& element) {
+    std::vector<std::uint32_t> strip;
+    forEachIndex(element, [&](double index) {
+      if (index >= 0) return strip.push_back(vertexAt(index));
+      addStrip(mesh, strip, source_.place());
+      strip.clear();
+    });
+    addStrip(mesh, strip, source_.place());
+  }
+
+  /// Calls visit(number) for the vertices of a face or of strips.
+  template <typename Visit>
+  void forEachIndex(const Element& element, const Visit& visit) {
     for (const Property& property : element.properties) {
       if (!property.countType || (property.name != "vertex_indices" && property.name != "vertex_index")) {
         skip(property);
@@ -116,9 +159,14 @@ class Body {
       }
       const std::uint32_t count = source_.nextIndex(*property.countType, 0xffffffff);
       source_.require(property.type, count);
-      for (std::uint32_t c = 0; c < count; ++c) corners.push_back(source_.nextIndex(property.type, 0xffffffff));
+      for (std::uint32_t c = 0; c < count; ++c) visit(source_.next(property.type));
     }
-    addPolygon(mesh, corners, source_.place());
+  }
+
+  std::uint32_t vertexAt(double index) const {
+    if (!(index >= 0 && index <= 0xffffffff && index == std::floor(index)))
+      fail(source_.place(), "a number should be the number of a vertex", "give the whole file");
+    return static_cast<std::uint32_t>(index);
   }
 
   void skip(const Property& property) {
@@ -135,6 +183,13 @@ PolygonMesh parsePly(std::string_view bytes, const std::filesystem::path& file) 
   const Header header = parseHeader(bytes, file);
   Body body(header, file);
   for (const Element& element : header.elements) body.read(element);
+  const auto isColoured = [](const Element& element) {
+    return element.name == "face" && std::any_of(element.properties.begin(), element.properties.end(),
+                                                 [](const Property& property) { return property.name == "red"; });
+  };
+  if (std::any_of(header.elements.begin(), header.elements.end(), isColoured))
+    body.mesh.warnings.push_back("the colours of faces are left out");
+  if (header.hasTexture) body.mesh.warnings.push_back("the image of its comment TextureFile is left out");
   if (body.mesh.polygons.empty()) fail({file}, "has no face: it may be a cloud of points", "give a mesh with faces");
   return std::move(body.mesh);
 }

@@ -1,6 +1,7 @@
 #include "radiosity/meshes/polygon_mesh.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -12,6 +13,7 @@ void addPosition(PolygonMesh& mesh, const glm::dvec3& position, const Place& pla
     if (std::fabs(position[axis]) > largestCoordinate)
       fail(place, "a coordinate is above 1e18 in size", "scale the scene down");
   }
+  if (!mesh.colours.empty()) mesh.colours.emplace_back(1);
   mesh.positions.push_back(position + 0.0);  // turns -0 into 0, so that equal positions have equal bits
 }
 
@@ -27,6 +29,18 @@ void addPolygon(PolygonMesh& mesh, std::span<const std::uint32_t> positions, con
                       std::to_string(mesh.positions.size()));
     mesh.corners.push_back({position});
   }
+}
+
+void addStrip(PolygonMesh& mesh, std::span<const std::uint32_t> positions, const Place& place) {
+  for (std::size_t i = 2; i < positions.size(); ++i) {
+    const std::uint32_t a = positions[i - 2], b = positions[i - 1 + i % 2], c = positions[i - i % 2];
+    if (a != b && b != c && c != a) addPolygon(mesh, std::array{a, b, c}, place);
+  }
+}
+
+void setColour(PolygonMesh& mesh, const glm::dvec3& linear) {
+  mesh.colours.resize(mesh.positions.size(), glm::vec3(1));
+  mesh.colours.back() = glm::clamp(linear, 0.0, 1.0);
 }
 
 void divideIntoFacets(PolygonMesh& mesh) {

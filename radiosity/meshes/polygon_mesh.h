@@ -43,6 +43,7 @@ struct FaceArray {
 
 struct PolygonMesh {
   std::vector<glm::dvec3> positions = {};  ///< finite; absolute coordinates at most 1e18
+  std::vector<glm::vec3> colours = {};     ///< linear, one per position where the file has any; else empty
   std::vector<glm::dvec2> texcoords = {};  ///< finite; absolute coordinates at most 1e18
   std::vector<glm::dvec3> normals = {};    ///< of any length, perhaps 0
   std::vector<MeshCorner> corners = {};
@@ -67,6 +68,13 @@ void addPosition(PolygonMesh& mesh, const glm::dvec3& position, const Place& pla
 /// Appends a polygon of positions, of the last section. Throws InputError if it has fewer than 3 corners, or a position
 /// that the mesh lacks.
 void addPolygon(PolygonMesh& mesh, std::span<const std::uint32_t> positions, const Place& place);
+
+/// Appends a strip of triangles of the last section: three positions in a row are one, every second one turned over.
+/// Triangles that name a position twice are left out. Throws InputError as addPolygon.
+void addStrip(PolygonMesh& mesh, std::span<const std::uint32_t> positions, const Place& place);
+
+/// Sets the colour of the last position; earlier ones without a colour are white. A colour is clamped to [0, 1].
+void setColour(PolygonMesh& mesh, const glm::dvec3& linear);
 
 /// Makes each polygon a section of its own with its material. The group is the number of the polygon, counted from 0.
 /// In meshes of several groups it is `group#number`.

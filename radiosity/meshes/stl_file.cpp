@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <limits>
+#include <utility>
 
 #include "radiosity/meshes/number_source.h"
 
@@ -34,16 +36,19 @@ PolygonMesh parseBinary(std::string_view bytes, const std::filesystem::path& fil
   NumberSource source(bytes.substr(headerBytes + 4), NumberEncoding::LittleEndian, {file});
   const auto vector = [&] {
     glm::dvec3 result;
-    for (int axis = 0; axis < 3; ++axis) result[axis] = source.next(NumberType::Float32);
+    for (int axis = 0; axis < 3; ++axis) result[axis] = source.nextAny(NumberType::Float32);
     return result;
   };
+  bool hasColours = bytes.substr(0, headerBytes).find("COLOR=") != bytes.npos;
   while (!source.rest().empty()) {
     const glm::dvec3 normal = vector();
     for (int corner = 0; corner < 3; ++corner) addPosition(mesh, vector(), source.place());
-    source.skip(NumberType::Uint16, 1);
+    constexpr int colourBit = 0x8000;  // of programs that write colours where the format has a length
+    if (source.nextIndex(NumberType::Uint16, 0xffff) >= colourBit) hasColours = true;
     addTriangle(mesh, normal, source.place(), contradicted);
   }
   warnOfNormals(mesh, contradicted);
+  if (hasColours) mesh.warnings.push_back("the colours of facets are left out");
   return mesh;
 }
 
@@ -54,64 +59,118 @@ std::string lower(std::string_view word) {
   return result;
 }
 
-/// The three numbers of a line; 0 if it has none.
-glm::dvec3 vectorOf(std::string_view rest, const Place& place) {
-  std::array<double, 3> n{};
-  if (readNumbers(rest, n, place) != 3) fail(place, "three numbers are missing");
-  return {n[0], n[1], n[2]};
+/// The next words as numbers. Throws InputError if one is missing or no finite number.
+glm::dvec3 takeVector(std::string_view& rest, const Place& place) {
+  glm::dvec3 vector;
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto word = nextWord(rest);
+    if (!word) fail(place, "three numbers are missing");
+    vector[axis] = readNumber(*word, place);
+  }
+  return vector;
 }
 
-PolygonMesh parseText(std::string_view text, const std::filesystem::path& file) {
-  PolygonMesh mesh;
-  std::uint32_t contradicted = 0;
-  std::size_t firstVertex = 0;  // of the facet
-  glm::dvec3 normal(0.0);
-  LineReader lines(text, file);
-  bool isOpen = false, isFacet = false;
-  while (const auto line = lines.next()) {
-    const Place place = lines.place();
-    const std::string keyword = lower(line->keyword);
-    if (keyword == "solid" && !isOpen) {
-      mesh.sections.push_back({static_cast<std::uint32_t>(mesh.objects.size()), ""});
-      mesh.objects.push_back({line->rest.empty() ? "default" : std::string(line->rest)});
-      isOpen = true;
-    } else if (keyword == "facet" && isOpen && !isFacet) {
-      isFacet = true;
-      firstVertex = mesh.positions.size();
-      std::string_view rest = line->rest;
-      if (const auto word = nextWord(rest); word && lower(*word) == "normal") normal = vectorOf(rest, place);
-    } else if (keyword == "vertex" && isFacet) {
-      addPosition(mesh, vectorOf(line->rest, place), place);
-    } else if (keyword == "endfacet" && isFacet) {
-      if (mesh.positions.size() != firstVertex + 3) fail(place, "a facet has three vertices");
-      addTriangle(mesh, normal, place, contradicted);
-      isFacet = false;
-    } else if (keyword == "endsolid" && isOpen && !isFacet) {
-      isOpen = false;
-    } else if ((keyword != "outer" && keyword != "endloop") || !isFacet) {
-      fail(place, "`" + std::string(keyword.substr(0, 40)) + "` is not expected here in an STL file",
+/// Reads the words of a text one after the other; programs break lines in different places.
+class TextReader {
+ public:
+  TextReader(std::string_view text, const std::filesystem::path& file) : lines_(text, file) {}
+
+  PolygonMesh read() {
+    while (const auto line = lines_.next()) {
+      std::string_view rest = line->text;
+      while (const auto word = nextWord(rest)) readStatement(lower(*word), rest);
+    }
+    if (isOpen_ || isFacet_ || mesh_.sections.empty())
+      fail(lines_.place(), "the STL file ends without endsolid", "give the whole file");
+    warnOfNormals(mesh_, contradicted_);
+    return std::move(mesh_);
+  }
+
+ private:
+  void readStatement(std::string keyword, std::string_view& rest) {
+    if (keyword == "end") keyword += lower(nextWord(rest).value_or(""));
+    if (keyword == "solid" && !isOpen_) {
+      begin(std::exchange(rest, {}));
+    } else if (keyword == "facet" && !isFacet_) {
+      if (mesh_.sections.empty()) begin({});
+      isFacet_ = true;
+      firstVertex_ = mesh_.positions.size();
+      takeNormal(rest);
+    } else if (keyword == "vertex" && isFacet_) {
+      addPosition(mesh_, takeVector(rest, lines_.place()), lines_.place());
+    } else if (keyword == "endfacet" && isFacet_) {
+      if (mesh_.positions.size() != firstVertex_ + 3) fail(lines_.place(), "a facet has three vertices");
+      addTriangle(mesh_, normal_, lines_.place(), contradicted_);
+      isFacet_ = false;
+    } else if (keyword == "endsolid" && isOpen_ && !isFacet_) {
+      isOpen_ = false;
+      rest = {};  // the name
+    } else if ((keyword != "outer" && keyword != "loop" && keyword != "endloop") || !isFacet_) {
+      fail(lines_.place(), "`" + keyword.substr(0, 40) + "` is not expected here in an STL file",
            "give a text or binary STL file");
     }
   }
-  if (isOpen || mesh.sections.empty()) fail(lines.place(), "the STL file ends without endsolid", "give the whole file");
-  warnOfNormals(mesh, contradicted);
-  return mesh;
+
+  /// The rest of the line is the name.
+  void begin(std::string_view name) {
+    mesh_.sections.push_back({static_cast<std::uint32_t>(mesh_.objects.size()), ""});
+    const std::size_t first = std::min(name.find_first_not_of(" \t"), name.size());
+    mesh_.objects.push_back({first == name.size() ? "default" : std::string(name.substr(first))});
+    isOpen_ = true;
+  }
+
+  /// Words that are no numbers, such as `-nan(ind)`, say nothing.
+  void takeNormal(std::string_view& rest) {
+    normal_ = glm::dvec3(0.0);
+    std::string_view behind = rest;
+    if (const auto word = nextWord(behind); !word || lower(*word) != "normal") return;
+    for (int axis = 0; axis < 3; ++axis)
+      normal_[axis] = numberOf(nextWord(behind).value_or("")).value_or(std::numeric_limits<double>::quiet_NaN());
+    rest = behind;
+  }
+
+  LineReader lines_;
+  PolygonMesh mesh_;
+  glm::dvec3 normal_{0.0};
+  std::uint32_t contradicted_ = 0;
+  std::size_t firstVertex_ = 0;  ///< of the facet
+  bool isOpen_ = false, isFacet_ = false;
+};
+
+/// The number of triangles in the header of a binary file; nothing if the bytes are too few for a header.
+std::optional<std::uint64_t> announced(std::string_view bytes, const std::filesystem::path& file) {
+  if (bytes.size() < headerBytes + 4) return std::nullopt;
+  NumberSource header(bytes.substr(headerBytes), NumberEncoding::LittleEndian, {file});
+  return static_cast<std::uint64_t>(header.next(NumberType::Uint32));
 }
 
-/// Whether the length is that of a binary file with the number of triangles in its header.
-bool isBinary(std::string_view bytes, const std::filesystem::path& file) {
-  if (bytes.size() < headerBytes + 4 || (bytes.size() - headerBytes - 4) % triangleBytes != 0) return false;
-  NumberSource header(bytes.substr(headerBytes), NumberEncoding::LittleEndian, {file});
-  return header.next(NumberType::Uint32) == static_cast<double>((bytes.size() - headerBytes - 4) / triangleBytes);
+/// Whether the first word is one that a text begins with, and no byte near it is of none.
+bool isText(std::string_view bytes) {
+  constexpr std::size_t looked = 256;
+  const std::string start = lower(bytes.substr(0, looked));
+  const std::size_t first = start.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
+  if (first == start.npos || start.find('\0') != start.npos) return false;
+  return start.compare(first, 5, "solid") == 0 || start.compare(first, 5, "facet") == 0;
 }
 
 }  // namespace
 
 PolygonMesh parseStl(std::string_view bytes, const std::filesystem::path& file) {
-  if (isBinary(bytes, file)) return parseBinary(bytes, file);
-  if (lower(bytes.substr(0, 5)) == "solid") return parseText(bytes, file);
-  fail({file}, "is no STL file: it neither begins with `solid` nor has the length that a binary header announces",
-       "give the whole file");
+  if (isText(bytes)) return TextReader(bytes, file).read();
+  const std::optional<std::uint64_t> triangles = announced(bytes, file);
+  if (!triangles)
+    fail({file}, "is no STL file: it neither begins with `solid` nor has a binary header", "give the whole file");
+  const std::uint64_t room = (bytes.size() - headerBytes - 4) / triangleBytes;
+  if (*triangles > room || *triangles == 0)
+    fail({file},
+         "announces " + std::to_string(*triangles) + " triangles, and has bytes for " + std::to_string(room) +
+             "; a text would begin with `solid`",
+         "give the whole file");
+  const std::size_t end = headerBytes + 4 + *triangles * triangleBytes;
+  PolygonMesh mesh = parseBinary(bytes.substr(0, end), file);
+  if (bytes.size() > end)
+    mesh.warnings.push_back(std::to_string(bytes.size() - end) + " bytes behind the last triangle are left out");
+  return mesh;
 }
 
 }  // namespace hemitex::radiosity

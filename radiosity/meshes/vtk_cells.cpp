@@ -6,21 +6,12 @@ namespace hemitex::radiosity {
 
 void addVtkCell(PolygonMesh& mesh, std::uint32_t type, std::span<const std::uint32_t> points, const Place& place,
                 std::uint32_t& leftOut) {
-  enum : std::uint32_t {
-    Vertex = 1,
-    PolyLine = 4,
-    Strip = 6,
-    Pixel = 8,
-    Quad = 9,
-    Wedge = 13,
-    Pyramid = 14,
-    Tetra = 10
-  };
+  enum : std::uint32_t { Vertex = 1, PolyLine = 4, Pixel = 8, Quad = 9, Wedge = 13, Pyramid = 14, Tetra = 10 };
   if (type <= PolyLine) {
     ++leftOut;
     return;
   }
-  if (type == Strip) fail(place, "strips of triangles are not read", "divide them, in ParaView with Triangulate");
+  if (type == vtkStrip) return addStrip(mesh, points, place);
   if (type >= Tetra && type <= Pyramid + 2)
     fail(place, "has volume cells (type " + std::to_string(type) + ")",
          "extract the surface, in ParaView with Extract Surface");

@@ -9,11 +9,11 @@
 
 namespace hemitex::radiosity {
 
-/// The types of a triangle, and of a polygon, which those in poly data have.
-inline constexpr std::uint8_t vtkTriangle = 5, vtkPolygon = 7;
+/// The types of a triangle, of a strip of them, and of a polygon, which those in poly data have.
+inline constexpr std::uint8_t vtkTriangle = 5, vtkStrip = 6, vtkPolygon = 7;
 
 /// Appends a cell of a type with its points. Vertices and lines are not faces: they are left out and counted. Throws
-/// InputError at `place` for volumes, strips of triangles, curved cells, and cells with a wrong number of points.
+/// InputError at `place` for volumes, curved cells, and cells with a wrong number of points.
 void addVtkCell(PolygonMesh& mesh, std::uint32_t type, std::span<const std::uint32_t> points, const Place& place,
                 std::uint32_t& leftOut);
 

@@ -53,6 +53,7 @@ class PieceReader {
 
   void read(const pugi::xml_node& piece, bool isPolyData) {
     first_ = static_cast<std::uint32_t>(mesh_.positions.size());
+    firstPolygon_ = mesh_.polygons.size();
     points_ = count(piece, "NumberOfPoints");
     const std::vector<double> points =
         points_ == 0 ? std::vector<double>()
@@ -66,13 +67,12 @@ class PieceReader {
                            : arrays_.indices(arrayNamed(piece.child("Cells"), "types"), cells, 255));
       return readCellData(piece.child("CellData"), cells);
     }
-    if (count(piece, "NumberOfStrips") > 0)
-      fail({file_}, "strips of triangles are not read", "divide them, in ParaView with Triangulate");
     const std::uint32_t others = count(piece, "NumberOfVerts") + count(piece, "NumberOfLines"),
-                        polygons = count(piece, "NumberOfPolys");
+                        polygons = count(piece, "NumberOfPolys"), strips = count(piece, "NumberOfStrips");
     leftOut_ += others;
     readCells(piece.child("Polys"), polygons, others, {});
-    readCellData(piece.child("CellData"), others + polygons);
+    readCells(piece.child("Strips"), strips, others + polygons, std::vector<std::uint32_t>(strips, vtkStrip));
+    readCellData(piece.child("CellData"), others + polygons + strips);
   }
 
  private:
@@ -90,10 +90,9 @@ class PieceReader {
       points = arrays_.indices(arrayNamed(cells, "connectivity"), ends.back(), points_ == 0 ? 0 : points_ - 1);
     for (std::uint32_t& point : points) point += first_;
     for (std::uint32_t c = 0, start = 0; c < number; start = ends[c++]) {
-      const std::size_t before = mesh_.polygons.size();
       addVtkCell(mesh_, types.empty() ? vtkPolygon : types[c], std::span(points).subspan(start, ends[c] - start),
                  {file_}, leftOut_);
-      if (mesh_.polygons.size() > before) faces_.push_back(first + c);
+      faces_.resize(mesh_.polygons.size() - firstPolygon_, first + c);
     }
   }
 
@@ -122,6 +121,7 @@ class PieceReader {
   PolygonMesh& mesh_;
   std::uint32_t& leftOut_;
   std::uint32_t first_ = 0, points_ = 0;
+  std::size_t firstPolygon_ = 0;
   std::vector<std::uint32_t> faces_;  ///< the numbers of the cells that are faces
 };
 

@@ -103,6 +103,9 @@ glm::dvec3 unlitColour(const Scene& scene, const Visible& visible, const MapColo
   const Material& material = scene.materials[static_cast<std::size_t>(scene.surfaces[visible.surface].material)];
   const Triangle& triangle = triangleOf(scene, visible);
   glm::dvec3 colour = material.reflectance;
+  if (scene.surfaces[visible.surface].hasColours)
+    colour *= interpolate(std::array<glm::dvec3, 3>{triangle.colour[0], triangle.colour[1], triangle.colour[2]},
+                          visible.weights);
   if (material.reflectanceMap)
     colour *=
         mapColour(static_cast<std::size_t>(*material.reflectanceMap), interpolate(triangle.texcoord, visible.weights));

@@ -30,8 +30,8 @@ Image drawPicture(const Scene& scene, const Camera& camera, int width, int heigh
 /// not show.
 glm::dvec3 skyColour(const glm::dvec3& sky, double exposure);
 
-/// The colour in a viewer without lights: Kd times map_Kd, bilinear between texel centres and repeating. It is
-/// multiplied by the interpolated corner colours if the file has them (`v x y z r g b`, sRGB-encoded).
+/// The colour in a viewer without lights: Kd times map_Kd, bilinear between texel centres, times the interpolated
+/// colours of the corners.
 glm::dvec3 unlitColour(const Scene& scene, const Visible& visible);
 /// As above with maps that are not in the scene: `mapColour` gives the linear colour of a map at (u, v).
 using MapColour = std::function<glm::dvec3(std::size_t map, const glm::dvec2& uv)>;

@@ -5,8 +5,10 @@
 #include <cmath>
 #include <cstdlib>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
+#include <tuple>
 #include <utility>
 
 #include "radiosity/geometry/contact_parts.h"
@@ -24,32 +26,130 @@ constexpr std::size_t maxWarnings = 5;
 /// Rooms are compared with all shells.
 constexpr std::size_t maxRooms = 200;
 
+/// The share of a shell that lies back to back with others if it is a skin of them. A box in a niche has five sixths.
+constexpr double minOfSkin = 0.9;
+
+/// Whether a surface is the back of another one, which the file lacks.
+bool isBack(const Scene& scene, std::uint32_t s) {
+  return scene.surfaces[s].twin && static_cast<std::uint32_t>(*scene.surfaces[s].twin) < s;
+}
+
 /// The triangles of a scene, by number.
-struct NumberedTriangles {
+struct SceneTriangles {
   std::vector<TrianglePositions> positions;
   std::vector<std::uint32_t> surfaces;
+  std::vector<std::int64_t> ranks;  ///< see ContactRules
 
-  explicit NumberedTriangles(const Scene& scene) {
+  explicit SceneTriangles(const Scene& scene) {
+    const auto count = static_cast<std::int64_t>(triangleCount(scene));
     for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s)
       for (const Triangle& triangle : scene.surfaces[s].triangles) {
+        const auto number = static_cast<std::int64_t>(positions.size());
         positions.push_back(triangle.position);
         surfaces.push_back(s);
+        ranks.push_back(isBack(scene, s) ? -number : number + count);
       }
+  }
+
+  /// A triangle in space.
+  NumberedTriangle at(const Scene& scene, std::uint32_t number) const {
+    const auto count = static_cast<std::uint32_t>(positions.size());
+    if (number < count) return {number, positions[number]};
+    const Instance& instance = scene.instances[number / count];
+    const auto& [a, b, c] = positions[number % count];
+    return {number % count,
+            {instance(a), instance(instance.reflects() ? c : b), instance(instance.reflects() ? b : c)}};
   }
 };
 
-/// The parts of each triangle; none for those without contact.
-std::vector<std::vector<ContactPart>> partsInContact(const Scene& scene, const NumberedTriangles& triangles,
-                                                     const Shells& shells, const RayTree& tree) {
+/// The faces in the place of each triangle.
+std::vector<std::vector<FaceInPlace>> facesInPlaces(const Scene& scene, const SceneTriangles& triangles,
+                                                    const RayTree& tree) {
   const double tolerance = contactTolerance(scene);
-  const std::size_t count = triangles.positions.size();
-  std::vector<std::vector<ContactPart>> parts(count);
-  raster::parallelFor(count, [&](std::size_t t) {
+  std::vector<std::vector<FaceInPlace>> others(triangles.positions.size());
+  raster::parallelFor(others.size(), [&](std::size_t t) {
     const auto& [a, b, c] = triangles.positions[t];
-    std::vector<std::uint32_t> near;
-    tree.appendNear(glm::min(glm::min(a, b), c) - tolerance, glm::max(glm::max(a, b), c) + tolerance, near);
-    std::erase_if(near, [&](std::uint32_t other) { return other >= count; });
-    parts[t] = contactParts(triangles.positions, shells, static_cast<std::uint32_t>(t), near, tolerance);
+    std::vector<std::uint32_t> numbers;
+    tree.appendNear(glm::min(glm::min(a, b), c) - tolerance, glm::max(glm::max(a, b), c) + tolerance, numbers);
+    std::vector<NumberedTriangle> near;
+    for (const std::uint32_t number : numbers)
+      if (number != t) near.push_back(triangles.at(scene, number));
+    others[t] = facesInPlace(triangles.positions[t], near, tolerance);
+  });
+  return others;
+}
+
+/// Of each shell, whether it is a skin (see ContactRules).
+std::vector<bool> findSkins(const SceneTriangles& triangles, const Shells& shells,
+                            const std::vector<std::vector<FaceInPlace>>& others) {
+  std::vector<double> area(shells.kinds.size()), touching(shells.kinds.size());
+  for (std::size_t t = 0; t < others.size(); ++t) {
+    const auto& [a, b, c] = triangles.positions[t];
+    const double own = glm::length(glm::cross(b - a, c - a));
+    const std::uint32_t shell = shells.ofTriangle[t];
+    double share = 0;
+    for (const FaceInPlace& other : others[t]) {
+      const std::uint32_t of = shells.ofTriangle[other.number];
+      const bool isOfSolid = of != shell && shells.isClosed[of] && shells.kinds[of] == ShellKind::Solid;
+      share += other.isOpposite && !isOfSolid ? other.share : 0;
+    }
+    area[shell] += own;
+    touching[shell] += std::min(share, 1.0) * own;
+  }
+  std::vector<bool> isSkin;
+  for (std::size_t s = 0; s < area.size(); ++s) isSkin.push_back(touching[s] >= minOfSkin * area[s]);
+  return isSkin;
+}
+
+/// Directions of rays, off the axes and the diagonals of boxes.
+constexpr std::array directions{glm::dvec3(0.267, 0.911, 0.314), glm::dvec3(-0.872, 0.179, 0.456),
+                                glm::dvec3(0.401, -0.338, -0.852)};
+
+/// How often each closed shell goes around a point, by shell and instance. A ray from inside a shell leaves it once
+/// more than it enters it.
+using Windings = std::map<std::pair<std::int32_t, std::uint32_t>, int>;
+
+Windings windingsAlong(const RayTree& rays, const glm::dvec3& point, const glm::dvec3& direction) {
+  Windings windings;
+  rays.visitHits(point, direction, [&](const TriangleHit& hit) {
+    if (hit.shell != 0) windings[{std::abs(hit.shell), hit.instance}] += hit.isFront == (hit.shell > 0) ? -1 : 1;
+  });
+  return windings;
+}
+
+/// Whether a closed room is around a point.
+bool isInRoom(const Scene& scene, const RayTree& rays, const glm::dvec3& point) {
+  return std::count_if(directions.begin(), directions.end(), [&](const glm::dvec3& direction) {
+           const Windings windings = windingsAlong(rays, point, direction);
+           return std::any_of(windings.begin(), windings.end(), [&](const auto& of) {
+             return of.second < 0 && scene.shellVolumes[static_cast<std::size_t>(of.first.first) - 1] < 0;
+           });
+         }) > 1;
+}
+
+/// Of each triangle in contact, whether it lies in a closed room; empty if there is none.
+std::vector<std::uint8_t> findIndoors(const Scene& scene, const SceneTriangles& triangles, const RayTree& tree,
+                                      const std::vector<std::vector<FaceInPlace>>& others) {
+  if (std::none_of(scene.shellVolumes.begin(), scene.shellVolumes.end(), [](double volume) { return volume < 0; }))
+    return {};
+  std::vector<std::uint8_t> isIndoors(others.size());
+  raster::parallelFor(others.size(), [&](std::size_t t) {
+    const auto& [a, b, c] = triangles.positions[t];
+    if (!others[t].empty()) isIndoors[t] = isInRoom(scene, tree, (a + b + c) / 3.0) ? 1 : 0;
+  });
+  return isIndoors;
+}
+
+/// The parts of each triangle; none for those without contact.
+std::vector<std::vector<ContactPart>> partsInContact(const Scene& scene, const SceneTriangles& triangles,
+                                                     const Shells& shells, const RayTree& tree) {
+  const std::vector<std::vector<FaceInPlace>> others = facesInPlaces(scene, triangles, tree);
+  const ContactRules rules{shells, findSkins(triangles, shells, others), triangles.ranks,
+                           findIndoors(scene, triangles, tree, others)};
+  std::vector<std::vector<ContactPart>> parts(others.size());
+  raster::parallelFor(parts.size(), [&](std::size_t t) {
+    if (!others[t].empty())
+      parts[t] = contactParts(triangles.positions[t], static_cast<std::uint32_t>(t), others[t], rules);
   });
   return parts;
 }
@@ -61,11 +161,14 @@ Triangle partOf(const Triangle& whole, const std::array<glm::dvec2, 3>& weights)
   Triangle part = whole;
   for (std::size_t k = 0; k < 3; ++k) {
     const auto at = [&](const auto& corners) {
+      if (weights[k] == glm::dvec2(1, 0)) return corners[1];
+      if (weights[k] == glm::dvec2(0, 1)) return corners[2];
       return corners[0] + weights[k].x * (corners[1] - corners[0]) + weights[k].y * (corners[2] - corners[0]);
     };
     part.position[k] = at(whole.position);
     part.chart[k] = onChart(at(whole.chart));
     part.texcoord[k] = at(whole.texcoord);
+    part.colour[k] = at(std::array<glm::dvec3, 3>{whole.colour[0], whole.colour[1], whole.colour[2]});
   }
   return part;
 }
@@ -76,20 +179,98 @@ bool keepsArea(const Triangle& triangle) {
          hasArea(inSpace(triangle.chart[0]), inSpace(triangle.chart[1]), inSpace(triangle.chart[2]));
 }
 
+/// The step of the positions of cuts: they are rounded, so that triangles on both sides of an edge have the same ones.
+/// It is far below the rounding to binary32 when a scene is drawn.
+double cutStep(const Scene& scene) { return std::exp2(std::floor(std::log2(contactTolerance(scene))) - 8); }
+
+/// Rounds the corners that are none of the whole triangle.
+void roundCuts(const Triangle& whole, double step, Triangle& part) {
+  for (glm::dvec3& corner : part.position)
+    if (std::find(whole.position.begin(), whole.position.end(), corner) == whole.position.end())
+      corner = glm::round(corner / step) * step;
+}
+
 /// Appends what is left of a triangle, and the covered parts of closed shells.
-void appendParts(const Triangle& whole, const std::vector<ContactPart>& parts, std::vector<Triangle>& left,
+void appendParts(const Triangle& whole, const std::vector<ContactPart>& parts, double step, std::vector<Triangle>& left,
                  std::vector<Triangle>& covered) {
   if (parts.empty()) left.push_back(whole);
   for (const ContactPart& part : parts) {
-    if (part.contact.coveredBy && whole.shell == 0) continue;
-    std::vector<Triangle>& triangles = part.contact.coveredBy ? covered : left;
-    for (std::size_t k = 2; k < part.corners.size(); ++k) {
-      Triangle triangle =
-          parts.size() == 1 ? whole : partOf(whole, {part.corners[0], part.corners[k - 1], part.corners[k]});
-      triangle.isBacked = part.contact.isBacked;
-      if (parts.size() == 1 || keepsArea(triangle)) triangles.push_back(triangle);
+    const bool isHidden = part.contact.coveredBy || part.contact.isJoined;
+    if (isHidden && whole.shell == 0) continue;
+    std::vector<Triangle>& triangles = isHidden ? covered : left;
+    for (Triangle triangle : parts.size() == 1 ? std::vector{whole} : trianglesOf(whole, part.corners)) {
+      roundCuts(whole, step, triangle);
+      triangle.isBacked = whole.isBacked || part.contact.isBacked;
+      triangles.push_back(triangle);
     }
   }
+}
+
+/// Where the edges of triangles are cut, by the numbers of the triangles near.
+std::map<std::uint32_t, std::vector<glm::dvec3>> cutsOf(const Scene& scene, const SceneTriangles& triangles,
+                                                        const std::vector<std::vector<ContactPart>>& parts,
+                                                        const RayTree& tree) {
+  const double step = cutStep(scene);
+  std::vector<glm::dvec3> points;
+  std::size_t number = 0;
+  for (const Surface& surface : scene.surfaces)
+    for (const Triangle& whole : surface.triangles) {
+      std::vector<Triangle> left, covered;
+      if (parts[number].size() > 1) appendParts(whole, parts[number], step, left, covered);
+      for (const std::vector<Triangle>* some : {&left, &covered})
+        for (const Triangle& triangle : *some)
+          for (const glm::dvec3& corner : triangle.position)
+            if (std::find(whole.position.begin(), whole.position.end(), corner) == whole.position.end())
+              points.push_back(corner);
+      ++number;
+    }
+  const auto isBefore = [](const glm::dvec3& a, const glm::dvec3& b) {
+    return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
+  };
+  std::sort(points.begin(), points.end(), isBefore);
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  std::map<std::uint32_t, std::vector<glm::dvec3>> cuts;
+  std::vector<std::uint32_t> near;
+  for (const glm::dvec3& point : points) {
+    near.clear();
+    tree.appendNear(point - step, point + step, near);
+    for (const std::uint32_t n : near)
+      if (n < triangles.positions.size()) cuts[n].push_back(point);
+  }
+  return cuts;
+}
+
+/// The first corner of the edge of a triangle on which a point lies, and its place along the edge, if there is one.
+std::optional<std::pair<std::size_t, double>> edgeAt(const Triangle& triangle, const glm::dvec3& point, double margin) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    const glm::dvec3 &start = triangle.position[k], along = triangle.position[(k + 1) % 3] - start;
+    const double length = glm::length(along), place = glm::dot(point - start, along) / length;
+    if (place <= margin || place >= length - margin) continue;
+    if (glm::length(point - start - place / length * along) <= margin) return std::pair(k, place / length);
+  }
+  return std::nullopt;
+}
+
+/// Divides triangles at points on their edges, so that both sides of an edge have the same corners.
+void divideAt(const std::vector<glm::dvec3>& points, double margin, std::vector<Triangle>& triangles) {
+  for (const glm::dvec3& point : points)
+    for (std::size_t t = 0; t < triangles.size(); ++t) {
+      const auto edge = edgeAt(triangles[t], point, margin);
+      if (!edge) continue;
+      const auto [start, share] = *edge;
+      const std::size_t end = (start + 1) % 3;
+      std::array<Triangle, 2> halves{triangles[t], triangles[t]};
+      for (std::size_t half = 0; half < 2; ++half) {
+        const std::size_t corner = half == 0 ? end : start;
+        const Triangle& whole = triangles[t];
+        halves[half].position[corner] = point;
+        halves[half].chart[corner] = onChart(glm::mix(whole.chart[start], whole.chart[end], share));
+        halves[half].texcoord[corner] = glm::mix(whole.texcoord[start], whole.texcoord[end], share);
+      }
+      if (!keepsArea(halves[0]) || !keepsArea(halves[1])) continue;
+      triangles[t] = halves[0];
+      triangles.push_back(halves[1]);
+    }
 }
 
 /// One sentence for each pair of groups in one place, and one for the rest if there are many.
@@ -109,10 +290,11 @@ std::vector<std::string> coverWarnings(const std::set<std::pair<std::string, std
 }
 
 /// The surfaces of which a triangle looks the other way than the rest of a closed shell.
-std::vector<std::string> turnedWarnings(const Scene& scene, const NumberedTriangles& triangles, const Shells& shells) {
+std::vector<std::string> turnedWarnings(const Scene& scene, const SceneTriangles& triangles, const Shells& shells) {
   std::set<std::uint32_t> turned;
   for (std::uint32_t t = 0; t < triangles.surfaces.size(); ++t)
-    if (shells.isTurnedOver[t] && shells.kindOf(t) != ShellKind::Sheet && shells.isClosed[shells.ofTriangle[t]])
+    if (shells.isTurnedOver[t] && !scene.surfaces[triangles.surfaces[t]].twin && shells.kindOf(t) != ShellKind::Sheet &&
+        shells.isClosed[shells.ofTriangle[t]])
       turned.insert(triangles.surfaces[t]);
   std::vector<std::string> warnings;
   for (const std::uint32_t s : turned)
@@ -122,8 +304,8 @@ std::vector<std::string> turnedWarnings(const Scene& scene, const NumberedTriang
 }
 
 /// Whether a sample of the triangles of a room sees fronts on the outside, which belong to nothing in the room.
-bool isLookedAtFromOutside(const Scene& scene, const NumberedTriangles& triangles,
-                           const std::vector<std::uint32_t>& room, const RayTree& tree) {
+bool isLookedAtFromOutside(const Scene& scene, const SceneTriangles& triangles, const std::vector<std::uint32_t>& room,
+                           const RayTree& tree) {
   constexpr std::size_t maxSamples = 64, minShare = 8;
   std::size_t rays = 0, fronts = 0;
   for (std::size_t i = 0; i < std::min(room.size(), maxSamples); ++i) {
@@ -139,7 +321,7 @@ bool isLookedAtFromOutside(const Scene& scene, const NumberedTriangles& triangle
 }
 
 /// The rooms in which nothing is, and which are seen from outside: solids of which all faces are turned over.
-std::vector<std::string> emptyRoomWarnings(const Scene& scene, const NumberedTriangles& triangles, const Shells& shells,
+std::vector<std::string> emptyRoomWarnings(const Scene& scene, const SceneTriangles& triangles, const Shells& shells,
                                            const RayTree& tree) {
   std::vector<std::vector<std::uint32_t>> ofShells(shells.kinds.size());
   std::vector<Bounds> bounds(shells.kinds.size());
@@ -157,7 +339,7 @@ std::vector<std::string> emptyRoomWarnings(const Scene& scene, const NumberedTri
     if (shells.kinds[room] != ShellKind::Room || !shells.isClosed[room]) continue;
     const auto emits = [&](std::uint32_t t) {
       const Surface& surface = scene.surfaces[triangles.surfaces[t]];
-      return scene.materials[static_cast<std::size_t>(surface.material)].emission != glm::dvec3(0);
+      return surface.twin || scene.materials[static_cast<std::size_t>(surface.material)].emission != glm::dvec3(0);
     };
     if (std::any_of(ofShells[room].begin(), ofShells[room].end(), emits)) continue;
     ++rooms;
@@ -173,19 +355,21 @@ std::vector<std::string> emptyRoomWarnings(const Scene& scene, const NumberedTri
   return warnings;
 }
 
-/// Directions of rays, off the axes and the diagonals of boxes.
-constexpr std::array directions{glm::dvec3(0.267, 0.911, 0.314), glm::dvec3(-0.872, 0.179, 0.456),
-                                glm::dvec3(0.401, -0.338, -0.852)};
-
 }  // namespace
 
-void resolveContacts(Scene& scene) {
-  const NumberedTriangles triangles(scene);
+std::vector<Triangle> trianglesOf(const Triangle& whole, std::span<const glm::dvec2> corners) {
+  std::vector<Triangle> triangles;
+  for (std::size_t k = 2; k < corners.size(); ++k) {
+    const Triangle triangle = partOf(whole, {corners[0], corners[k - 1], corners[k]});
+    if (keepsArea(triangle)) triangles.push_back(triangle);
+  }
+  return triangles;
+}
+
+Contacts findContacts(Scene& scene) {
+  const SceneTriangles triangles(scene);
   const Shells shells = findShells(triangles.positions);
-  const RayTree tree(scene);
-  const auto warn = [&](const std::vector<std::string>& warnings) {
-    scene.warnings.insert(scene.warnings.end(), warnings.begin(), warnings.end());
-  };
+  scene.shellVolumes.clear();
   std::vector<std::int32_t> closed;  // the number of each shell, or 0
   for (std::size_t shell = 0; shell < shells.kinds.size(); ++shell) {
     const bool isCounted = shells.isClosed[shell] && shells.kinds[shell] != ShellKind::Sheet;
@@ -198,29 +382,56 @@ void resolveContacts(Scene& scene) {
       triangle.shell = (shells.isTurnedOver[t] ? -1 : 1) * closed[shells.ofTriangle[t]];
       ++t;
     }
-  warn(turnedWarnings(scene, triangles, shells));
-  warn(emptyRoomWarnings(scene, triangles, shells, tree));
-  const std::vector<std::vector<ContactPart>> parts = partsInContact(scene, triangles, shells, tree);
+  const RayTree tree(scene);
+  Contacts contacts{partsInContact(scene, triangles, shells, tree), {}, turnedWarnings(scene, triangles, shells)};
+  contacts.cuts = cutsOf(scene, triangles, contacts.parts, tree);
+  for (std::string& warning : emptyRoomWarnings(scene, triangles, shells, tree))
+    contacts.warnings.push_back(std::move(warning));
+  return contacts;
+}
+
+Scene resolved(Scene scene, const Contacts& contacts) {
+  const SceneTriangles triangles(scene);
+  const double step = cutStep(scene);
+  scene.warnings.insert(scene.warnings.end(), contacts.warnings.begin(), contacts.warnings.end());
   std::set<std::pair<std::string, std::string>> covered;  // the families of the covered one and the other
-  std::size_t number = 0;
+  std::uint32_t number = 0;
   for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s) {
     std::vector<Triangle> left;
     for (const Triangle& triangle : scene.surfaces[s].triangles) {
-      appendParts(triangle, parts[number], left, scene.covered);
-      for (const ContactPart& part : parts[number])
-        if (part.contact.coveredBy)
+      const std::vector<ContactPart>& parts = contacts.parts[number];
+      std::vector<Triangle> own;
+      appendParts(triangle, parts, step, own, scene.covered);
+      if (const auto cuts = contacts.cuts.find(number); cuts != contacts.cuts.end()) divideAt(cuts->second, step, own);
+      left.insert(left.end(), own.begin(), own.end());
+      for (const ContactPart& part : parts)
+        if (part.contact.coveredBy && !part.contact.isJoined && !isBack(scene, s))
           covered.insert(
               {scene.surfaces[s].family, scene.surfaces[triangles.surfaces[*part.contact.coveredBy]].family});
       ++number;
     }
     scene.surfaces[s].triangles = std::move(left);
   }
-  warn(coverWarnings(covered));
+  for (std::string& warning : coverWarnings(covered)) scene.warnings.push_back(std::move(warning));
+  return scene;
+}
+
+void removeEmptySurfaces(Scene& scene) {
+  std::vector<int> number;  // of each surface after it, or -1
+  int next = 0;
+  for (const Surface& surface : scene.surfaces) {
+    number.push_back(surface.triangles.empty() ? -1 : next++);
+  }
   std::erase_if(scene.surfaces, [](const Surface& surface) { return surface.triangles.empty(); });
+  for (Surface& surface : scene.surfaces) {
+    if (!surface.twin) continue;
+    surface.twin = number[static_cast<std::size_t>(*surface.twin)];
+    if (*surface.twin < 0) surface.twin.reset();
+  }
 }
 
 void findBacked(Scene& scene) {
-  const NumberedTriangles triangles(scene);
+  const SceneTriangles triangles(scene);
   const std::vector<std::vector<ContactPart>> parts =
       partsInContact(scene, triangles, findShells(triangles.positions), RayTree(scene));
   std::size_t number = 0;
@@ -234,10 +445,7 @@ void findBacked(Scene& scene) {
 bool isInsideSolid(const Scene& scene, const RayTree& rays, const glm::dvec3& point) {
   if (scene.shellVolumes.empty()) return false;
   const auto isInside = [&](const glm::dvec3& direction) {
-    std::map<std::pair<std::int32_t, std::uint32_t>, int> windings;  // by shell and instance
-    rays.visitHits(point, direction, [&](const TriangleHit& hit) {
-      if (hit.shell != 0) windings[{std::abs(hit.shell), hit.instance}] += hit.isFront == (hit.shell > 0) ? -1 : 1;
-    });
+    const Windings windings = windingsAlong(rays, point, direction);
     double smallest = 0;
     for (const auto& [key, winding] : windings) {
       const double volume = scene.shellVolumes[static_cast<std::size_t>(key.first) - 1];

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <set>
+#include <span>
 #include <stdexcept>
 #include <string_view>
 #include <utility>
@@ -20,8 +22,9 @@ namespace {
 
 using raster::InputError;
 
-/// The reflectance where a material or its image is missing.
-constexpr double grey = 0.5;
+/// The reflectance where an image is missing, and where a file states no colour: white paint, because the 1 that glTF
+/// means would keep all light in a closed room.
+constexpr double grey = 0.5, unstatedReflectance = 0.8;
 
 GltfImport import(const std::filesystem::path& file) {
   const std::string bytes = raster::readFile(file, "check the path, and that it is a file you may read");
@@ -62,7 +65,10 @@ class MeshBuilder {
     constexpr std::size_t maxCount = std::numeric_limits<std::uint32_t>::max();
     if (mesh_.corners.size() + part.corners.size() > maxCount || firstPosition + part.positions.size() > maxCount)
       throw InputError(file_.string(), 0, "the scene has more than 2^32 corners", "divide it");
-    for (const glm::dvec3& position : part.positions) addPosition(position);
+    for (std::size_t v = 0; v < part.positions.size(); ++v) {
+      addPosition(part.positions[v]);
+      if (!part.colours.empty()) setColour(mesh_, part.colours[v]);
+    }
     for (const glm::dvec2& texcoord : part.texcoords) addTexcoord(texcoord);
     mesh_.normals.insert(mesh_.normals.end(), part.normals.begin(), part.normals.end());
     const std::uint32_t section = sectionOf(static_cast<std::uint32_t>(part.node), material);
@@ -83,11 +89,7 @@ class MeshBuilder {
   PolygonMesh mesh() && { return std::move(mesh_); }
 
  private:
-  void addPosition(const glm::dvec3& position) {
-    if (std::max({std::fabs(position.x), std::fabs(position.y), std::fabs(position.z)}) > largestCoordinate)
-      throw InputError(file_.string(), 0, "a coordinate is above 1e18 in size", "scale the scene down");
-    mesh_.positions.push_back(position);
-  }
+  void addPosition(const glm::dvec3& position) { radiosity::addPosition(mesh_, position, {file_}); }
 
   /// glTF measures v from the top of an image, a scene from its bottom.
   void addTexcoord(const glm::dvec2& texcoord) {
@@ -114,11 +116,12 @@ class DecodedImages {
   DecodedImages(const GltfFile& gltf, const std::filesystem::path& file, MaterialSet& set)
       : gltf_(gltf), file_(file), set_(set), memory_(file.string(), imagesOfScene) {}
 
-  /// The index of an image in the set; nothing, with a warning, if it is missing or broken.
-  std::optional<int> decode(int image) {
+  /// The index of an image with a sampler in the set; nothing, with a warning, if it is missing or broken.
+  std::optional<int> decode(int image, const Sampler& sampler) {
     const auto [known, isNew] = decoded_.try_emplace(image);
     if (isNew) known->second = decodeNew(gltf_.images[static_cast<std::size_t>(image)]);
-    return known->second;
+    if (!known->second) return {};
+    return withSampler(set_, *known->second, sampler, variants_[image], memory_);
   }
 
  private:
@@ -145,28 +148,49 @@ class DecodedImages {
   MaterialSet& set_;
   raster::RunningRequest memory_;
   std::map<int, std::optional<int>> decoded_;
+  std::map<int, std::vector<int>> variants_;  ///< see withSampler
 };
 
-Material materialOf(const ImportedMaterial& given, DecodedImages& images, const std::filesystem::path& file,
-                    const SceneSettings& settings, std::vector<std::string>& warnings) {
-  Material material{.name = given.name, .reflectance = given.baseColor};
+/// `isColoured`: its faces have colours of vertices.
+Material materialOf(const ImportedMaterial& given, bool isColoured, DecodedImages& images,
+                    const std::filesystem::path& file, const SceneSettings& settings,
+                    std::vector<std::string>& warnings) {
+  const bool isStated = given.baseColor || given.baseColorImage || isColoured;
+  Material material{.name = given.name,
+                    .reflectance = given.baseColor.value_or(glm::dvec3(isStated ? 1 : unstatedReflectance))};
   const std::string owner = "material '" + given.name + "': ";
   const auto warning = lowerReflectance(material.reflectance, settings.maxReflectance);
-  // Most textures have the factor 1, which only says that they are the colour.
-  if (warning && !given.baseColorImage) warnings.push_back(owner + *warning);
+  // Most textures have the factor 1, which only says that they are the colour; so do colours of vertices.
+  if (!isStated) warnings.push_back(owner + "it states no colour; the reflectance 0.8 stands for it");
+  if (warning && !given.baseColorImage && !isColoured) warnings.push_back(owner + *warning);
   if (given.baseColorImage) {
-    material.reflectanceMap = images.decode(*given.baseColorImage);
+    material.reflectanceMap = images.decode(*given.baseColorImage, given.baseColorSampler);
     if (!material.reflectanceMap) material.reflectance = glm::dvec3(grey);
   }
   if (!given.transparency.empty()) warnings.push_back(owner + opaqueWarning(given.transparency));
   material.emission = given.emission * radiosityPerUnit(settings.emission);
   if (std::max({material.emission.r, material.emission.g, material.emission.b}) > largestEmission)
     throw InputError(file.string(), 0, owner + "its emission is above 1e30 W/m^2", "scale the light down");
+  if (given.emissionImage && bandSum(given.emission) == 0)
+    warnings.push_back(owner + "its emissiveTexture has the emissiveFactor 0, and emits nothing");
   if (given.emissionImage && bandSum(given.emission) > 0) {
-    material.emissionMap = images.decode(*given.emissionImage);
+    material.emissionMap = images.decode(*given.emissionImage, given.emissionSampler);
     if (!material.emissionMap) material.emission *= grey;
   }
   return material;
+}
+
+/// The materials of faces with colours of vertices.
+std::set<std::string> colouredMaterials(const PolygonMesh& mesh) {
+  std::set<std::string> names;
+  for (std::size_t p = 0; p < mesh.polygons.size() && !mesh.colours.empty(); ++p) {
+    const MeshPolygon& polygon = mesh.polygons[p];
+    const auto corners = std::span(mesh.corners).subspan(polygon.firstCorner, polygon.cornerCount);
+    if (std::any_of(corners.begin(), corners.end(),
+                    [&](const MeshCorner& corner) { return mesh.colours[corner.position] != glm::vec3(1); }))
+      names.insert(mesh.sections[polygon.section].material);
+  }
+  return names;
 }
 
 }  // namespace
@@ -193,12 +217,16 @@ MaterialSet gltfMaterials(const std::vector<std::string>& names, const GltfFile&
   DecodedImages images(gltf, file, set);
   std::map<std::string_view, const ImportedMaterial*> materials;
   for (const ImportedMaterial& material : gltf.materials) materials.emplace(material.name, &material);
+  const std::set<std::string> coloured = colouredMaterials(gltf.mesh);
   for (const std::string& name : names) {
     if (const auto given = materials.find(name); given != materials.end()) {
-      set.materials.push_back(materialOf(*given->second, images, file, settings, set.warnings));
+      set.materials.push_back(
+          materialOf(*given->second, coloured.contains(name), images, file, settings, set.warnings));
+    } else if (coloured.contains(name)) {
+      set.materials.push_back({.name = "default", .reflectance = glm::dvec3(settings.maxReflectance)});
     } else {
-      set.materials.push_back({.name = "default"});
-      set.warnings.push_back("faces without a material become grey 0.5");
+      set.materials.push_back({.name = "default", .reflectance = glm::dvec3(unstatedReflectance)});
+      set.warnings.push_back("faces without a material get the reflectance 0.8");
     }
   }
   return set;

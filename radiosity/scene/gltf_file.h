@@ -34,7 +34,8 @@ struct GltfFile {
 /// out of range, a number that is not finite or an absolute coordinate above 1e18.
 GltfFile readGltf(const std::filesystem::path& file);
 
-/// The materials for `names`; an empty name stands for faces without a material, which become grey 0.5 with a warning.
+/// The materials for `names`; an empty name stands for faces without a material, which get the
+/// reflectance 0.8 with a warning.
 /// Values are made valid as by findMaterials. Throws InputError for an emission above 1e30.
 MaterialSet gltfMaterials(const std::vector<std::string>& names, const GltfFile& gltf,
                           const std::filesystem::path& file, const SceneSettings& settings);

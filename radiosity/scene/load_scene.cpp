@@ -12,6 +12,7 @@
 #include <string_view>
 #include <utility>
 
+#include "radiosity/base/named_file.h"
 #include "radiosity/base/text_lines.h"
 #include "radiosity/base/unique_names.h"
 #include "radiosity/meshes/legacy_vtk_file.h"
@@ -143,13 +144,13 @@ std::vector<std::string> cellDataOf(const SceneSettings& settings) {
 std::vector<std::filesystem::path> materialFiles(const PolygonMesh& mesh, const std::filesystem::path& folder) {
   std::vector<std::filesystem::path> files;
   for (const std::string& library : mesh.materialLibraries) {
-    std::error_code ignored;
-    if (std::filesystem::exists(folder / library, ignored)) {
-      files.push_back(folder / library);
+    if (const auto whole = namedFile(folder, library)) {
+      files.push_back(*whole);
       continue;
     }
     std::string_view rest = library;
-    for (auto word = nextWord(rest); word; word = nextWord(rest)) files.push_back(folder / *word);
+    for (auto word = nextWord(rest); word; word = nextWord(rest))
+      files.push_back(namedFile(folder, std::string(*word)).value_or(folder / *word));
   }
   return files;
 }
@@ -177,35 +178,44 @@ MaterialSet materialsNamed(const std::vector<std::string>& names, const std::map
   return set;
 }
 
+bool isColoured(const Triangle& triangle) {
+  return std::any_of(triangle.colour.begin(), triangle.colour.end(),
+                     [](const glm::vec3& colour) { return colour != glm::vec3(1); });
+}
+
 void addSurfaces(Scene& scene, std::vector<Surface> parts, const std::string& family, int material, int object) {
   for (std::size_t n = 0; n < parts.size(); ++n) {
     parts[n].name = parts.size() == 1 ? family : family + "#" + std::to_string(n + 1);
     parts[n].family = family;
     parts[n].material = material;
     parts[n].object = object;
+    parts[n].hasColours = std::any_of(parts[n].triangles.begin(), parts[n].triangles.end(), isColoured);
     scene.surfaces.push_back(std::move(parts[n]));
   }
 }
 
-/// The other side of a surface, where no other face lies on it.
+std::vector<std::uint32_t> allSurfaces(const Scene& scene) {
+  std::vector<std::uint32_t> numbers(scene.surfaces.size());
+  std::iota(numbers.begin(), numbers.end(), 0U);
+  return numbers;
+}
+
+/// The other side of a surface.
 Surface backOf(const Surface& front) {
   Surface back = front;
-  std::erase_if(back.triangles, [](const Triangle& triangle) { return triangle.isBacked; });
   back.name += "/back";
   back.family += "/back";
   turnOver(back);
   return back;
 }
 
-/// Gives some surfaces, by their numbers, a surface on the other side, unless all of it is backed. Those of an object
-/// are an object of their own, because programs take faces with equal corners in one mesh for a fault.
+/// Gives some surfaces, by their numbers, a surface on the other side. Those of an object are an object of their own,
+/// because programs take faces with equal corners in one mesh for a fault.
 void addBacks(Scene& scene, const std::vector<std::uint32_t>& numbers) {
   std::vector<Surface>& surfaces = scene.surfaces;
   std::map<int, int> backObjects;
   for (const std::uint32_t s : numbers) {
-    Surface back = backOf(surfaces[s]);
-    if (back.triangles.empty()) continue;
-    surfaces.push_back(std::move(back));
+    surfaces.push_back(backOf(surfaces[s]));
     const int front = *surfaces[s].object;
     const auto [known, isNew] = backObjects.try_emplace(front, static_cast<int>(scene.objects.size()));
     if (isNew) {
@@ -217,21 +227,39 @@ void addBacks(Scene& scene, const std::vector<std::uint32_t>& numbers) {
   }
 }
 
-/// Turns surfaces over by their names. Throws InputError with similar names if there is none.
-void flip(Scene& scene, const std::vector<std::string>& names) {
-  for (const std::string& name : names)
-    for (const std::uint32_t s : surfacesNamed(scene, name)) turnOver(scene.surfaces[s]);
+/// Gives all surfaces of facets a back. That of facet n of N is the facet n + N.
+void addBacksOfFacets(Scene& scene) {
+  const std::size_t fronts = scene.surfaces.size();
+  addBacks(scene, allSurfaces(scene));
+  for (std::size_t s = fronts; s < scene.surfaces.size(); ++s)
+    for (Triangle& triangle : scene.surfaces[s].triangles) triangle.polygon += static_cast<std::uint32_t>(scene.faces);
+  scene.faces *= 2;
 }
 
-std::vector<std::uint32_t> allSurfaces(const Scene& scene) {
-  std::vector<std::uint32_t> numbers(scene.surfaces.size());
-  std::iota(numbers.begin(), numbers.end(), 0U);
-  return numbers;
+/// The open sheets that are lit from both sides, after contacts.
+std::vector<std::uint32_t> sheetsOf(const Scene& scene, const Contacts& contacts) {
+  const bool hasContacts =
+      std::any_of(contacts.parts.begin(), contacts.parts.end(), [](const auto& parts) { return !parts.empty(); });
+  return sheetsLitFromBothSides(hasContacts ? resolved(scene, contacts) : scene);
+}
+
+/// Turns surfaces over by their names. Throws InputError with similar names if there is none.
+void flip(Scene& scene, const std::vector<std::string>& names, const std::filesystem::path& file) try {
+  for (const std::string& name : names)
+    for (const std::uint32_t s : surfacesNamed(scene, name)) turnOver(scene.surfaces[s]);
+} catch (const raster::InputError& error) {
+  throw raster::InputError(file.string(), 0, error.what());
 }
 
 void makeNamesUnique(std::vector<Surface>& surfaces) {
   UniqueNames names;
   for (Surface& surface : surfaces) surface.name = names.add(surface.name);
+}
+
+glm::dvec3 meanOf(const Image& image) {
+  glm::dvec3 sum(0);
+  for (const glm::dvec3& pixel : image.pixels) sum += pixel;
+  return sum / static_cast<double>(image.pixels.size());
 }
 
 /// The largest emission of a material in any band.
@@ -287,6 +315,47 @@ void requireMemoryFor(const PolygonMesh& mesh, const std::filesystem::path& file
                         "the scene of " + std::to_string(triangles) + " triangles", "divide it");
 }
 
+/// One sentence for each closed room whose walls keep nearly all light, so that it grows many times: the light is 1
+/// over what they absorb. A room is a closed shell that is turned inside out. Maps count with the mean of their pixels.
+void warnOfMirroredRooms(Scene& scene) {
+  constexpr double mostReflected = 0.95;
+  struct Room {
+    double area = 0;
+    Bands reflected = Bands(3);
+    std::string brightest = {};  // the surface that reflects most
+    double most = 0;
+  };
+  std::vector<Room> rooms(scene.shellVolumes.size());
+  for (const Surface& surface : scene.surfaces) {
+    const Material& material = scene.materials[static_cast<std::size_t>(surface.material)];
+    glm::dvec3 reflectance = material.reflectance;
+    if (material.reflectanceMap)
+      reflectance *= meanOf(scene.images[static_cast<std::size_t>(*material.reflectanceMap)]);
+    for (const Triangle& triangle : surface.triangles) {
+      const auto shell = static_cast<std::size_t>(std::abs(triangle.shell));
+      if (shell == 0 || scene.shellVolumes[shell - 1] >= 0) continue;
+      Room& room = rooms[shell - 1];
+      const glm::dvec3 colour = (triangle.colour[0] + triangle.colour[1] + triangle.colour[2]) / 3.0F;
+      const glm::dvec3 reflected = reflectance * colour;
+      for (int band = 0; band < 3; ++band)
+        room.reflected[static_cast<std::size_t>(band)] += reflected[band] * area(triangle);
+      room.area += area(triangle);
+      const double most = std::max({reflected.r, reflected.g, reflected.b});
+      if (most > room.most) room.brightest = surface.name;
+      room.most = std::max(room.most, most);
+    }
+  }
+  for (const Room& room : rooms) {
+    const double mean = *std::max_element(room.reflected.begin(), room.reflected.end()) / room.area;
+    if (room.area > 0 && mean > mostReflected)
+      scene.warnings.push_back("the closed room of `" + raster::excerpt(room.brightest) + "` reflects " +
+                               raster::shortNumber(mean) + " of its light, which grows to " +
+                               raster::shortNumber(1 / (1 - mean)) +
+                               " times what is emitted; give its materials "
+                               "lower reflectances if this is not meant");
+  }
+}
+
 }  // namespace
 
 Scene makeScene(PolygonMesh mesh, const MaterialSource& materials, const std::filesystem::path& file,
@@ -294,8 +363,8 @@ Scene makeScene(PolygonMesh mesh, const MaterialSource& materials, const std::fi
   if (!(settings.maxReflectance >= 0 && settings.maxReflectance < 1)) {
     throw raster::InputError("the largest reflectance must be at least 0 and below 1");
   }
-  if (settings.facets && settings.sides != Sides::One)
-    throw raster::InputError("facets have one side each", "leave the other sides out");
+  if (settings.facets && settings.sides == Sides::TwoOfSheets)
+    throw raster::InputError("facets have one side each, or two each", "leave the sides of sheets out");
   requireMemoryFor(mesh, file);
   Scene scene;
   if (settings.facets) divideIntoFacets(mesh);
@@ -318,15 +387,25 @@ Scene makeScene(PolygonMesh mesh, const MaterialSource& materials, const std::fi
     const auto object = static_cast<int>(sections[s].object);
     addSurfaces(scene, layCharts(std::move(sections[s]), mesh, file, settings), family, choice.ofSection[s], object);
   }
-  flip(scene, settings.flip);
+  flip(scene, settings.flip, file);
+  if (settings.sides == Sides::Two && settings.facets)
+    addBacksOfFacets(scene);
+  else if (settings.sides == Sides::Two)
+    addBacks(scene, allSurfaces(scene));
   setSymmetry(scene, settings.symmetry);
-  resolveContacts(scene);
-  if (settings.sides == Sides::Two) addBacks(scene, allSurfaces(scene));
-  if (settings.sides == Sides::TwoOfSheets) addBacks(scene, sheetsLitFromBothSides(scene));
+  Contacts contacts = findContacts(scene);
+  if (settings.sides == Sides::TwoOfSheets) {
+    const std::vector<std::uint32_t> sheets = sheetsOf(scene, contacts);
+    addBacks(scene, sheets);
+    if (!sheets.empty()) contacts = findContacts(scene);
+  }
+  scene = resolved(std::move(scene), contacts);
+  removeEmptySurfaces(scene);
+  warnOfMirroredRooms(scene);
   makeNamesUnique(scene.surfaces);
   if (scene.extent < smallestExtent) fail({file}, "the scene is smaller than 1e-18 units", "scale it up");
-  const std::vector<std::string> warnings = resolutionWarnings(scene);
-  scene.warnings.insert(scene.warnings.end(), warnings.begin(), warnings.end());
+  for (const std::vector<std::string>& warnings : {resolutionWarnings(scene), roundingWarnings(scene)})
+    scene.warnings.insert(scene.warnings.end(), warnings.begin(), warnings.end());
   return scene;
 }
 
@@ -345,8 +424,9 @@ Scene loadScene(const std::filesystem::path& file, const SceneSettings& settings
     return scene;
   }
   PolygonMesh mesh = readMesh(file, cellDataOf(settings));
-  const auto materials = [&, files = materialFiles(mesh, file.parent_path())](const std::vector<std::string>& names) {
-    return findMaterials(names, files, settings);
+  const auto materials = [&, files = materialFiles(mesh, file.parent_path()),
+                          hasColours = !mesh.colours.empty()](const std::vector<std::string>& names) {
+    return findMaterials(names, files, settings, hasColours);
   };
   Scene scene = makeScene(std::move(mesh), materials, file, settings);
   scene.files.insert(scene.files.begin(), file);

@@ -6,12 +6,12 @@
 #include <optional>
 #include <utility>
 
+#include "radiosity/base/named_file.h"
 #include "radiosity/base/text_lines.h"
 #include "radiosity/scene/mtl_file.h"
 #include "radiosity/spectra/colour.h"
 #include "raster/base/file_io.h"
 #include "raster/base/input_error.h"
-#include "raster/base/memory_budget.h"
 #include "raster/base/short_number.h"
 
 namespace hemitex::radiosity {
@@ -50,6 +50,8 @@ bool anyValue(const Image& image, Predicate predicate) {
   });
 }
 
+std::uint64_t bytesOf(const Image& image) { return image.pixels.size() * sizeof image.pixels[0]; }
+
 /// The images of maps; each file is read once.
 class MapImages {
  public:
@@ -58,22 +60,39 @@ class MapImages {
 
   /// The image of a map; nothing, with a warning, if it cannot be read.
   std::optional<int> emission(const MapStatement& map, const Definition& definition) {
+    return withSamplerOf(map, whole(map, definition));
+  }
+
+  /// As emission, with values of at most 1.
+  std::optional<int> reflectance(const MapStatement& map, const Definition& definition) {
+    return withSamplerOf(map, lowered(map, definition));
+  }
+
+ private:
+  /// The image as it is in its file.
+  std::optional<int> whole(const MapStatement& map, const Definition& definition) {
     const std::string owner = "material '" + raster::excerpt(definition.statement.name) + "': ";
     if (map.image.empty()) {
       set_.warnings.push_back(owner + "a map names no image; 0.5 stands for it");
       return {};
     }
-    if (map.hasOptions) set_.warnings.push_back(owner + "the options of its maps are ignored");
-    const std::filesystem::path file = definition.file.parent_path() / map.image;
+    if (!map.omitted.empty())
+      set_.warnings.push_back(owner + "options of its maps are left out: " + raster::excerpt(map.omitted));
+    const std::filesystem::path folder = definition.file.parent_path(),
+                                file = namedFile(folder, map.image).value_or(folder / map.image);
     std::error_code ignored;
     const auto [known, isNew] = read_.try_emplace(std::filesystem::weakly_canonical(file, ignored));
     if (isNew) known->second = read(file);
     return known->second;
   }
 
-  /// As emission, with values of at most 1.
-  std::optional<int> reflectance(const MapStatement& map, const Definition& definition) {
-    const std::optional<int> image = emission(map, definition);
+  std::optional<int> withSamplerOf(const MapStatement& map, const std::optional<int>& image) {
+    return image ? std::optional(withSampler(set_, *image, map.sampler, variants_[*image], memory_)) : std::nullopt;
+  }
+
+  /// As whole, with values of at most 1.
+  std::optional<int> lowered(const MapStatement& map, const Definition& definition) {
+    const std::optional<int> image = whole(map, definition);
     if (!image || !anyValue(imageAt(*image), [](double value) { return value > 1; })) return image;
     const auto [known, isNew] = lowered_.try_emplace(*image, static_cast<int>(set_.images.size()));
     if (isNew) {
@@ -87,8 +106,6 @@ class MapImages {
     return known->second;
   }
 
- private:
-  static std::uint64_t bytesOf(const Image& image) { return image.pixels.size() * sizeof image.pixels[0]; }
   const Image& imageAt(int index) const { return set_.images[static_cast<std::size_t>(index)]; }
 
   std::optional<int> read(const std::filesystem::path& file) {
@@ -111,7 +128,8 @@ class MapImages {
   MaterialSet& set_;
   raster::RunningRequest memory_;
   std::map<std::filesystem::path, std::optional<int>> read_;
-  std::map<int, int> lowered_;  ///< from images to their copies without values above 1
+  std::map<int, int> lowered_;                ///< from images to their copies without values above 1
+  std::map<int, std::vector<int>> variants_;  ///< see withSampler
 };
 
 /// The statement that lets light through a material; null if there is none. Exporters write both `d` and `Tr`, and some
@@ -147,7 +165,11 @@ Material makeMaterial(Definition definition, const SceneSettings& settings, MapI
   const MaterialStatement& statement = definition.statement;
   const std::string owner = "material '" + raster::excerpt(statement.name) + "': ";
   Material material{.name = statement.name};
-  if (statement.reflectance) {
+  const bool isBlack = statement.reflectanceMap && statement.reflectance == glm::dvec3(0);
+  if (isBlack)
+    warnings.push_back(owner + "Kd 0 0 0 with a map_Kd; the map alone is the colour, as its writers mean it");
+  if (statement.hasDecal) warnings.push_back(owner + "decal is left out");
+  if (statement.reflectance && !isBlack) {
     material.reflectance = *statement.reflectance;
     const auto warning = lowerReflectance(material.reflectance, settings.maxReflectance);
     // With a map, 1 only says that the map is the colour.
@@ -162,9 +184,11 @@ Material makeMaterial(Definition definition, const SceneSettings& settings, MapI
     if (!material.reflectanceMap) material.reflectance = glm::dvec3(grey);
   }
   if (const char* way = wayThrough(statement)) warnings.push_back(owner + opaqueWarning(way));
+  const bool isDark = statement.emissionMap && statement.emission == glm::dvec3(0);
+  if (isDark) warnings.push_back(owner + "Ke 0 0 0 with a map_Ke; the map alone is the light, as its writers mean it");
   if (statement.emission) material.emission = *statement.emission;
   if (statement.emissionMap) {
-    if (!statement.emission) material.emission = glm::dvec3(1.0);
+    if (!statement.emission || isDark) material.emission = glm::dvec3(1.0);
     material.emissionMap = images.emission(*statement.emissionMap, definition);
     if (!material.emissionMap) material.emission *= grey;
   }
@@ -198,8 +222,24 @@ std::string opaqueWarning(const std::string& statement) {
   return "it lets light through (" + statement + "), but is read as opaque";
 }
 
+int withSampler(MaterialSet& set, int image, const Sampler& sampler, std::vector<int>& variants,
+                raster::RunningRequest& memory) {
+  const auto at = [&](int number) -> Image& { return set.images[static_cast<std::size_t>(number)]; };
+  const auto known =
+      std::find_if(variants.begin(), variants.end(), [&](int number) { return at(number).sampler == sampler; });
+  if (known != variants.end()) return *known;
+  if (!variants.empty()) {
+    memory.add(bytesOf(at(image)));
+    set.images.push_back(Image(at(image)));
+    image = static_cast<int>(set.images.size()) - 1;
+  }
+  variants.push_back(image);
+  at(image).sampler = sampler;
+  return image;
+}
+
 MaterialSet findMaterials(const std::vector<std::string>& names, const std::vector<std::filesystem::path>& files,
-                          const SceneSettings& settings) {
+                          const SceneSettings& settings, bool hasColours) {
   MaterialSet set;
   const std::map<std::string, Definition> definitions = readDefinitions(files, settings.emission, set);
   MapImages images(set);
@@ -208,6 +248,8 @@ MaterialSet findMaterials(const std::vector<std::string>& names, const std::vect
     const auto found = definitions.find(name);
     if (found != definitions.end()) {
       set.materials.push_back(makeMaterial(found->second, settings, images, set));
+    } else if (name.empty() && hasColours) {
+      set.materials.push_back({.name = "default", .reflectance = glm::dvec3(settings.maxReflectance)});
     } else if (name.empty()) {
       set.materials.push_back({.name = "default"});
       set.warnings.push_back("faces without a material become grey 0.5");

@@ -11,6 +11,7 @@
 #include "radiosity/images/image.h"
 #include "radiosity/scene/scene.h"
 #include "radiosity/scene/scene_settings.h"
+#include "raster/base/memory_budget.h"
 
 namespace hemitex::radiosity {
 
@@ -27,6 +28,11 @@ std::string opaqueWarning(const std::string& statement);
 /// What all images of a scene together are called in messages about memory.
 inline constexpr const char* imagesOfScene = "the set of images of its materials";
 
+/// The image of a set with a sampler: itself for the first one that asks, else a copy. `variants` are the numbers given
+/// so far. `memory` is asked for copies.
+int withSampler(MaterialSet& set, int image, const Sampler& sampler, std::vector<int>& variants,
+                raster::RunningRequest& memory);
+
 /// Lowers bands of 1 or more to `maxReflectance`. Returns a warning without its subject, or nothing if none is lowered.
 std::optional<std::string> lowerReflectance(glm::dvec3& reflectance, double maxReflectance);
 
@@ -40,7 +46,9 @@ std::optional<std::string> lowerReflectance(glm::dvec3& reflectance, double maxR
 /// - A reflectance of 1 or more is lowered to `settings.maxReflectance`, with a warning per material. The values of a
 ///   map_Kd are lowered to 1.
 /// - A missing or unreadable map: a warning, and reflectance 0.5 or half the emission.
+/// - Kd 0 0 0 with a map_Kd, and Ke 0 0 0 with a map_Ke: a warning, and the map alone, as Maya and 3ds Max mean it.
+/// - Faces without a material have the reflectance 0.5, and 1 where the file `hasColours` of vertices.
 MaterialSet findMaterials(const std::vector<std::string>& names, const std::vector<std::filesystem::path>& files,
-                          const SceneSettings& settings);
+                          const SceneSettings& settings, bool hasColours = false);
 
 }  // namespace hemitex::radiosity

@@ -25,6 +25,7 @@ Triangle makeTriangle(const PolygonMesh& mesh, std::uint32_t polygonIndex,
   for (std::size_t k = 0; k < 3; ++k) {
     const MeshCorner& corner = mesh.corners[polygon.firstCorner + corners[k]];
     triangle.position[k] = mesh.positions[corner.position];
+    if (!mesh.colours.empty()) triangle.colour[k] = mesh.colours[corner.position];
     if (polygon.textured) triangle.texcoord[k] = mesh.texcoords[*corner.texcoord];
     if (polygon.cornerCount == 4) triangle.chart[k] = quad[corners[k]];
   }

@@ -1,10 +1,12 @@
 #include "radiosity/scene/mtl_file.h"
 
 #define TINYOBJLOADER_IMPLEMENTATION
+#define TINYOBJLOADER_USE_DOUBLE
 #include <tiny_obj_loader.h>
 
 #include <algorithm>
 #include <array>
+#include <boost/algorithm/string/case_conv.hpp>
 
 #include "radiosity/base/text_lines.h"
 #include "raster/base/file_io.h"
@@ -50,12 +52,46 @@ std::optional<SpectrumStatement> readSpectrumStatement(const TextLine& line, con
   return statement;
 }
 
+/// The text of a map with three numbers behind each option that has one to three, because tinyobjloader would take the
+/// name of the image for a missing one.
+std::string withAllNumbers(std::string_view rest) {
+  std::string text;
+  while (!rest.empty() && rest.front() == '-') {
+    const std::string option(nextWord(rest).value_or(""));
+    text += option + " ";
+    const bool hasThree = option == "-s" || option == "-o" || option == "-t";
+    std::string_view behind = rest;
+    for (int n = 0; n < 3 && hasThree; ++n) {
+      const auto word = nextWord(behind);
+      if (word && numberOf(*word)) rest = behind;
+      text += (word && numberOf(*word) ? std::string(*word) : option == "-s" ? "1" : "0") + " ";
+    }
+    for (behind = rest; !hasThree;) {
+      const auto word = nextWord(behind);
+      const bool isArgument = word && (numberOf(*word) || *word == "on" || *word == "off" || word->size() == 1);
+      if (!isArgument) break;
+      text += std::string(*word) + " ";
+      rest = behind;
+    }
+    rest.remove_prefix(std::min(rest.find_first_not_of(" \t"), rest.size()));
+  }
+  return text + std::string(rest);
+}
+
 MapStatement readMap(const TextLine& line) {
-  const std::string rest(line.rest);
-  std::string image;
-  tinyobj::texture_option_t ignored{};
-  tinyobj::ParseTextureNameAndOption(&image, &ignored, rest.c_str());
-  return {image, image != rest};
+  MapStatement map;
+  tinyobj::texture_option_t options{};
+  options.scale[0] = options.scale[1] = options.scale[2] = 1;
+  tinyobj::ParseTextureNameAndOption(&map.image, &options, withAllNumbers(line.rest).c_str());
+  map.sampler.place = glm::dmat3x2(glm::dvec2(options.scale[0], 0), glm::dvec2(0, options.scale[1]),
+                                   glm::dvec2(options.origin_offset[0], options.origin_offset[1]));
+  if (options.clamp) map.sampler.wrap = {Wrap::Clamp, Wrap::Clamp};
+  constexpr std::string_view harmless = " -s -o -clamp -blendu -blendv -texres -boost -bm ";
+  std::string_view rest = line.rest.substr(0, line.rest.size() - std::min(line.rest.size(), map.image.size()));
+  while (const auto word = nextWord(rest))
+    if (word->front() == '-' && !numberOf(*word) && harmless.find(" " + std::string(*word) + " ") == harmless.npos)
+      map.omitted += (map.omitted.empty() ? "" : " ") + std::string(*word);
+  return map;
 }
 
 /// The first number of a statement that has no effect on light here; nothing if it has none.
@@ -69,25 +105,28 @@ std::optional<double> tolerantNumber(const TextLine& line) {
 std::vector<MaterialStatement> parseMaterials(std::string_view text, const std::filesystem::path& file,
                                               EmissionUnit unit) {
   std::vector<MaterialStatement> materials;
-  LineReader lines(text, file);
+  const std::optional<std::string> joined = joinedLines(text);
+  LineReader lines(joined ? *joined : text, file);
   while (const std::optional<TextLine> line = lines.next()) {
     const Place place{file, line->number};
-    if (line->keyword == "newmtl") materials.push_back({std::string(line->rest)});
+    const std::string keyword = boost::to_lower_copy(std::string(line->keyword));
+    if (keyword == "newmtl") materials.push_back({std::string(line->rest)});
     if (materials.empty()) continue;
     MaterialStatement& material = materials.back();
-    if (line->keyword == "Kd") {
+    if (keyword == "kd") {
       material.reflectanceSpectrum = readSpectrumStatement(*line, place);
       material.reflectance = material.reflectanceSpectrum ? std::nullopt : std::optional(readColor(*line, place));
     }
-    if (line->keyword == "Ke") {
+    if (keyword == "ke") {
       material.emissionSpectrum = readSpectrumStatement(*line, place);
       material.emission = material.emissionSpectrum ? std::nullopt : std::optional(readEmission(*line, place, unit));
     }
-    if (line->keyword == "map_Kd") material.reflectanceMap = readMap(*line);
-    if (line->keyword == "map_Ke") material.emissionMap = readMap(*line);
-    if (line->keyword == "d") material.dissolve = tolerantNumber(*line);
-    if (line->keyword == "Tr") material.transparency = tolerantNumber(*line);
-    if (line->keyword == "map_d") material.hasDissolveMap = true;
+    if (keyword == "map_kd") material.reflectanceMap = readMap(*line);
+    if (keyword == "map_ke" || keyword == "map_emissive") material.emissionMap = readMap(*line);
+    if (keyword == "d") material.dissolve = tolerantNumber(*line);
+    if (keyword == "tr") material.transparency = tolerantNumber(*line);
+    if (keyword == "map_d" || keyword == "map_opacity") material.hasDissolveMap = true;
+    if (keyword == "decal") material.hasDecal = true;
   }
   return materials;
 }

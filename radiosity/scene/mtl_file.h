@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "radiosity/images/image.h"
 #include "radiosity/scene/scene_settings.h"
 #include "radiosity/spectra/spectrum.h"
 
@@ -19,8 +20,9 @@ inline constexpr double largestEmission = 1e30;
 
 /// A `map_Kd` or `map_Ke` line.
 struct MapStatement {
-  std::filesystem::path image;  ///< relative to the folder of the material file; empty if the line names none
-  bool hasOptions = false;      ///< such as `-s 2 2`
+  std::string image;         ///< as the file names it (see named_file.h); empty if the line names none
+  Sampler sampler = {};      ///< of `-s`, `-o` and `-clamp`
+  std::string omitted = {};  ///< its other options, such as `-mm`, with blanks between them
 };
 
 /// A line such as `Kd spectral FILE.rfl FACTOR`.
@@ -41,11 +43,12 @@ struct MaterialStatement {
   std::optional<MapStatement> emissionMap = {};
   std::optional<double> dissolve = {}, transparency = {};  ///< `d` and `Tr`
   bool hasDissolveMap = false;                             ///< `map_d`
+  bool hasDecal = false;                                   ///< `decal`
 };
 
-/// Parses the text of `file`; returns the materials in its order. Throws InputError with the line for a Kd or Ke that
-/// is malformed, non-finite, negative, or has neither one number (grey) nor three. Also throws it for a Ke above 1e30
-/// after conversion from `unit` to radiosity.
+/// Parses the text of `file`; returns the materials in its order. Keywords may be in any letters. Throws InputError
+/// with the line for a Kd or Ke that is malformed, non-finite, negative, or has neither one number (grey) nor three.
+/// Also throws it for a Ke above 1e30 after conversion from `unit` to radiosity.
 std::vector<MaterialStatement> parseMaterials(std::string_view text, const std::filesystem::path& file,
                                               EmissionUnit unit = EmissionUnit::Radiosity);
 

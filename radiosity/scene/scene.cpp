@@ -8,6 +8,7 @@
 
 #include "radiosity/spectra/colour.h"
 #include "raster/base/input_error.h"
+#include "raster/base/short_number.h"
 
 namespace hemitex::radiosity {
 namespace {
@@ -26,6 +27,7 @@ void exchangeSides(Triangle& triangle) {
   std::swap(triangle.position[1], triangle.position[2]);
   std::swap(triangle.chart[1], triangle.chart[2]);
   std::swap(triangle.texcoord[1], triangle.texcoord[2]);
+  std::swap(triangle.colour[1], triangle.colour[2]);
 }
 
 /// Half of the last of the 24 bits of a binary32 number if that bit is set, else 0.
@@ -152,7 +154,7 @@ glm::dvec3 normal(const Triangle& triangle) {
 
 bool hasMaps(const Scene& scene, const Surface& surface) {
   const Material& material = scene.materials[static_cast<std::size_t>(surface.material)];
-  return material.reflectanceMap || material.emissionMap;
+  return material.reflectanceMap || material.emissionMap || surface.hasColours;
 }
 
 bool hasMaps(const Scene& scene) {
@@ -245,6 +247,15 @@ std::vector<std::string> resolutionWarnings(const Scene& scene) {
     warnings.resize(3);
   }
   return warnings;
+}
+
+std::vector<std::string> roundingWarnings(const Scene& scene) {
+  const double rounding = coordinateRounding(scene), size = meanSize(scene);
+  if (!(rounding > 0.01 * size)) return {};
+  return {"its coordinates are rounded to binary32 by up to " + raster::shortNumber(rounding) +
+          " units, and its faces are about " + raster::shortNumber(size) +
+          " units across, so that their shapes and their light are wrong; move the scene to the origin before it is "
+          "written, or write numbers of double precision"};
 }
 
 double contactTolerance(const Scene& scene) { return 8 * std::max(0x1p-24 * scene.extent, scene.rounding); }

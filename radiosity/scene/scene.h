@@ -58,9 +58,10 @@ struct Material {
 struct Triangle {
   std::array<glm::dvec3, 3>
       position;  ///< in units of the file, origin not subtracted; counter-clockwise seen from the front
-  std::array<glm::dvec2, 3> chart;  ///< in [0,1]^2, multiples of 2^-24, which binary32 represents exactly
-  std::array<glm::dvec2, 3>
-      texcoord;               ///< the file's coordinates for material maps, which repeat; without them the chart's
+  std::array<glm::dvec2, 3> chart;     ///< in [0,1]^2, multiples of 2^-24, which binary32 represents exactly
+  std::array<glm::dvec2, 3> texcoord;  ///< the file's coordinates for material maps; without them the chart's
+  /// Colours of the corners, linear, which scale the reflectance where the surface has them.
+  std::array<glm::vec3, 3> colour = {glm::vec3(1), glm::vec3(1), glm::vec3(1)};
   std::uint32_t polygon = 0;  ///< the face of the file that contains the triangle, counted from 0 over the file
   /// Whether another face lies on the back and shows its front there, so that the back is never visible (see
   /// contacts.h).
@@ -82,6 +83,7 @@ struct Surface {
   std::optional<std::uint32_t> curvedPart = {};
   std::optional<int> twin = {};    ///< of a two-sided surface: the surface of the other side
   std::optional<int> object = {};  ///< in Scene::objects; one without it is an object of its own
+  bool hasColours = false;         ///< a corner of its triangles has another colour than white
 };
 
 /// A place of all surfaces: it maps coordinates to `sign * coordinate + shift`.
@@ -143,7 +145,7 @@ Bands lightInBands(const Scene& scene, const glm::dvec3& colour);
 Bands reflectanceInBands(const Scene& scene, const Material& material);
 Bands emissionInBands(const Scene& scene, const Material& material);
 
-/// Whether the material of a surface has a reflectance or an emission map; whether that of any surface has one.
+/// Whether the reflectance or the emission may differ over a surface, by maps or colours of corners; over any.
 bool hasMaps(const Scene& scene, const Surface& surface);
 bool hasMaps(const Scene& scene);
 
@@ -241,6 +243,9 @@ void measureBounds(Scene& scene);
 
 /// One sentence for each surface outside the bounds, and one for the rest if there are many.
 std::vector<std::string> resolutionWarnings(const Scene& scene);
+
+/// One sentence if the coordinates are rounded to binary32 by more than a hundredth of the size of the faces.
+std::vector<std::string> roundingWarnings(const Scene& scene);
 
 /// The distance up to which faces are in contact, in units of the file: eight times the rounding of coordinates to
 /// binary32, 2^-24 of the scene's extent or more (see Scene::rounding). Each of two corners is off by up to the root of

@@ -13,6 +13,7 @@
 #include "radiosity/scene/contacts.h"
 #include "radiosity/scene/load_scene.h"
 #include "radiosity/scene/mtl_file.h"
+#include "radiosity/scene/surface_names.h"
 #include "raster/base/input_error.h"
 
 namespace hemitex::radiosity {
@@ -65,6 +66,7 @@ std::vector<std::uint32_t> findByMaterial(const Scene& scene, const std::string&
   if (found.empty())
     found = find(scene.surfaces, [&](const Surface& surface) { return matches(materialOf(surface), name); });
   if (!found.empty()) return found;
+  refuseHidden(scene, name);
   std::set<std::string> names;
   for (const Surface& surface : scene.surfaces) names.insert({surface.family, materialOf(surface)});
   throw InputError("no surface, group or material of the scene is named `" + raster::excerpt(name) + "`",

@@ -1,5 +1,6 @@
 #include "radiosity/scene/surface_names.h"
 
+#include <algorithm>
 #include <map>
 #include <set>
 
@@ -29,10 +30,17 @@ bool isSurfaceName(const Scene& scene, const std::string& name) { return !find(s
 
 std::vector<std::uint32_t> surfacesNamed(const Scene& scene, const std::string& name) {
   std::vector<std::uint32_t> found = find(scene, name);
-  if (found.empty())
-    throw raster::InputError("no surface is named `" + raster::excerpt(name) + "`",
-                             "similar names: " + suggestions(scene, name));
-  return found;
+  if (!found.empty()) return found;
+  refuseHidden(scene, name);
+  throw raster::InputError("no surface is named `" + raster::excerpt(name) + "`",
+                           "similar names: " + suggestions(scene, name));
+}
+
+void refuseHidden(const Scene& scene, const std::string& name) {
+  if (std::any_of(scene.objects.begin(), scene.objects.end(),
+                  [&](const SceneObject& object) { return object.name == name; }))
+    throw raster::InputError("nothing of `" + raster::excerpt(name) + "` can be seen, because other faces cover it",
+                             "omit it, or move it in front of them");
 }
 
 Families familiesOf(const Scene& scene) {

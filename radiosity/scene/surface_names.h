@@ -16,6 +16,9 @@ bool isSurfaceName(const Scene& scene, const std::string& name);
 /// none.
 std::vector<std::uint32_t> surfacesNamed(const Scene& scene, const std::string& name);
 
+/// Throws InputError if the name is that of an object without any surface, because all of it is covered.
+void refuseHidden(const Scene& scene, const std::string& name);
+
 /// The families of a scene, in the order of their first surfaces. An image belongs to the family of its surface.
 struct Families {
   std::vector<std::string> names;

@@ -12,8 +12,8 @@
 namespace hemitex::radiosity {
 namespace {
 
-/// The position, texture coordinate and second texture coordinate of a corner.
-using Vertex = std::array<float, 7>;
+/// The position, texture coordinate, second texture coordinate and colour of a corner.
+using Vertex = std::array<float, 10>;
 
 /// glTF measures v from the top.
 glm::vec2 fromTop(const glm::dvec2& texcoord) { return {texcoord.x, 1 - texcoord.y}; }
@@ -21,6 +21,8 @@ glm::vec2 fromTop(const glm::dvec2& texcoord) { return {texcoord.x, 1 - texcoord
 /// Vertices in the order of their first corners; equal ones are written once.
 GltfPrimitive primitiveOf(const Scene& scene, const LitPart& part, const CoordinateOf& second) {
   GltfPrimitive primitive{part.material, {}, {}, {}};
+  const bool isColoured = std::any_of(part.surfaces.begin(), part.surfaces.end(),
+                                      [&](std::uint32_t surface) { return scene.surfaces[surface].hasColours; });
   std::map<Vertex, std::uint32_t> numbers;
   for (const std::uint32_t surface : part.surfaces)
     for (const Triangle& triangle : scene.surfaces[surface].triangles)
@@ -28,13 +30,16 @@ GltfPrimitive primitiveOf(const Scene& scene, const LitPart& part, const Coordin
         const glm::vec3 position(triangle.position[corner] - scene.origin);
         const glm::vec2 first = fromTop(triangle.texcoord[corner]);
         const glm::vec2 other = second ? fromTop(second(surface, triangle.chart[corner])) : glm::vec2(0);
-        const Vertex vertex{position.x, position.y, position.z, first.x, first.y, other.x, other.y};
+        const glm::vec3& colour = triangle.colour[corner];
+        const Vertex vertex{position.x, position.y, position.z, first.x,  first.y,
+                            other.x,    other.y,    colour.x,   colour.y, colour.z};
         const auto [known, isNew] = numbers.try_emplace(vertex, static_cast<std::uint32_t>(numbers.size()));
         primitive.corners.push_back(known->second);
         if (!isNew) continue;
         primitive.positions.push_back(position);
         primitive.texcoords.push_back(first);
         if (second) primitive.lightMapCoords.push_back(other);
+        if (isColoured) primitive.colours.push_back(colour);
       }
   return primitive;
 }

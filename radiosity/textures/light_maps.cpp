@@ -53,7 +53,8 @@ std::vector<GltfMaterial> splitMaterials(Scene& scene, const TextureLayout& layo
 LightMaps makeLightMaps(const Scene& scene, const Discretization& discretization, const TextureLayout& layout,
                         const std::vector<glm::dvec3>& irradiance, double exposure, TextureFilter filter) {
   const double scale = scaleOf(scene, discretization, irradiance, exposure);
-  return {exposure, scale, displayTextures(scene, discretization, layout, irradiance, exposure / scale, filter, {})};
+  return {exposure, scale,
+          displayTextures(scene, discretization, layout, irradiance, exposure / scale, filter, nullptr)};
 }
 
 std::vector<std::string> writeLightMaps(const std::filesystem::path& folder, const LightMaps& maps, Scene scene,
@@ -65,8 +66,9 @@ std::vector<std::string> writeLightMaps(const std::filesystem::path& folder, con
   GltfModel model;
   model.origin = scene.origin;
   for (std::size_t i = 0; i < scene.images.size(); ++i)
-    model.textures.push_back(
-        {"image-" + std::to_string(i + 1), encodePng(encodeSrgb(scene.images[i]), folder / "lightmap.glb"), true});
+    model.textures.push_back({"image-" + std::to_string(i + 1),
+                              encodePng(encodeSrgb(scene.images[i]), folder / "lightmap.glb"),
+                              scene.images[i].sampler});
   addObjects(scene);
   model.materials = splitMaterials(scene, layout, maps);
   model.objects = gltfObjects(scene, [&](std::uint32_t surface, const glm::dvec2& chart) {

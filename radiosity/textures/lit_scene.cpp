@@ -132,7 +132,7 @@ std::string mtlText(const LitScene& lit) {
 
 std::vector<CodedImage> displayTextures(const Scene& scene, const Discretization& discretization,
                                         const TextureLayout& layout, const std::vector<glm::dvec3>& displayed,
-                                        double exposure, TextureFilter filter, const std::vector<ImageLevels>& maps) {
+                                        double exposure, TextureFilter filter, const std::vector<ImageLevels>* maps) {
   const std::vector<std::vector<BorderEdge>> borders = borderEdges(scene, discretization, displayed, filter);
   const std::vector<std::vector<CornerColours>> corners = cornerRadiosity(scene, discretization, displayed);
   std::vector<std::vector<std::uint32_t>> gouraud(layout.textures.size());
@@ -172,12 +172,13 @@ void addObjects(Scene& lit) {
 
 LitScene makeLitScene(const Scene& scene, const Discretization& discretization, const TextureLayout& layout,
                       const std::vector<glm::dvec3>& displayed, double exposure, TextureFilter filter) {
-  LitScene lit{
-      {}, layout, displayTextures(scene, discretization, layout, displayed, exposure, filter, levelsOfMaps(scene))};
+  const std::vector<ImageLevels> maps = levelsOfMaps(scene);
+  LitScene lit{{}, layout, displayTextures(scene, discretization, layout, displayed, exposure, filter, &maps)};
   lit.scene.surfaces = scene.surfaces;
   lit.scene.objects = scene.objects;
   addObjects(lit.scene);
   setMaterials(scene, layout, lit.scene);
+  for (Surface& surface : lit.scene.surfaces) surface.hasColours = false;  // the textures show them
   for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s)
     for (Triangle& triangle : lit.scene.surfaces[s].triangles)
       for (std::size_t k = 0; k < 3; ++k)

@@ -30,7 +30,7 @@ struct LitScene {
 /// InputError as filteredTexture.
 std::vector<CodedImage> displayTextures(const Scene& scene, const Discretization& discretization,
                                         const TextureLayout& layout, const std::vector<glm::dvec3>& values,
-                                        double exposure, TextureFilter filter, const std::vector<ImageLevels>& maps);
+                                        double exposure, TextureFilter filter, const std::vector<ImageLevels>* maps);
 
 /// Writes NAME.png, the codes, and NAME.exr, the linear values, per texture into a folder. Returns the PNG files.
 /// Throws InputError where a file cannot be written.

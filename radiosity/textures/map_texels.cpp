@@ -1,6 +1,7 @@
 #include "radiosity/textures/map_texels.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <cstddef>
@@ -17,12 +18,13 @@ const Material& materialOf(const Scene& scene, const Surface& surface) {
   return scene.materials[static_cast<std::size_t>(surface.material)];
 }
 
-/// The lengths of the chart axes in texture coordinates, |dT/du| and |dT/dv|, the means over the chart.
-glm::dvec2 texcoordLengths(const Surface& surface) {
+/// The lengths of the chart axes in an image, |dT/du| and |dT/dv|, the means over the chart.
+glm::dvec2 lengthsIn(const Sampler& sampler, const Surface& surface) {
   glm::dvec2 sum(0);
   double total = 0;
   for (const Triangle& triangle : surface.triangles) {
-    const glm::dvec2 t1 = triangle.texcoord[1] - triangle.texcoord[0], t2 = triangle.texcoord[2] - triangle.texcoord[0];
+    const glm::dvec2 origin = sampler(triangle.texcoord[0]), t1 = sampler(triangle.texcoord[1]) - origin,
+                     t2 = sampler(triangle.texcoord[2]) - origin;
     const glm::dvec2 c1 = triangle.chart[1] - triangle.chart[0], c2 = triangle.chart[2] - triangle.chart[0];
     const double area = std::abs(c1.x * c2.y - c1.y * c2.x);
     sum += glm::dvec2(glm::length(c2.y * t1 - c1.y * t2), glm::length(c1.x * t2 - c2.x * t1));
@@ -32,20 +34,33 @@ glm::dvec2 texcoordLengths(const Surface& surface) {
 }
 
 glm::dvec2 pixelsOf(const Surface& surface, const Image& image) {
-  return texcoordLengths(surface) * static_cast<double>(std::max(image.width, image.height));
+  return lengthsIn(image.sampler, surface) * static_cast<double>(std::max(image.width, image.height));
 }
 
-/// The texture coordinate of a triangle as an affine function of the place in texels.
-struct Texcoords {
-  glm::dvec2 atZero{0.0}, perColumn{0.0}, perRow{0.0};
+/// Values of a triangle as an affine function of the place in texels.
+template <typename Value>
+struct Affine {
+  Value atZero{0.0}, perColumn{0.0}, perRow{0.0};
 
-  glm::dvec2 at(double column, double row) const { return atZero + column * perColumn + row * perRow; }
+  /// The function with `values` at the corner `a` and at those that lie `b` and `c` from it, which are not on one line.
+  Affine(const std::array<Value, 3>& values, const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c)
+      : atZero(values[0]) {
+    const double determinant = b.x * c.y - b.y * c.x;
+    if (determinant == 0) return;
+    const Value v1 = values[1] - values[0], v2 = values[2] - values[0];
+    perColumn = (c.y * v1 - b.y * v2) / determinant;
+    perRow = (b.x * v2 - c.x * v1) / determinant;
+    atZero -= a.x * perColumn + a.y * perRow;
+  }
+  Value at(double column, double row) const { return atZero + column * perColumn + row * perRow; }
 };
+using Texcoords = Affine<glm::dvec2>;
 
 /// The number of the first triangle that covers the centre of each texel, and the functions of all triangles.
 struct Covering {
   std::vector<std::optional<std::uint32_t>> triangle;  ///< columns * rows
   std::vector<Texcoords> texcoords;
+  std::vector<Affine<glm::dvec3>> colours;  ///< empty without colours
 };
 
 Covering coveringTriangles(const Surface& surface, int columns, int rows) {
@@ -56,12 +71,12 @@ Covering coveringTriangles(const Surface& surface, int columns, int rows) {
     const auto number = static_cast<std::uint32_t>(covering.texcoords.size());
     const glm::dvec2 a = triangle.chart[0] * size, b = triangle.chart[1] * size - a, c = triangle.chart[2] * size - a;
     const double determinant = b.x * c.y - b.y * c.x;
-    Texcoords& texcoords = covering.texcoords.emplace_back(Texcoords{triangle.texcoord[0]});
+    covering.texcoords.emplace_back(triangle.texcoord, a, b, c);
+    if (surface.hasColours) {
+      const auto& [first, second, third] = triangle.colour;
+      covering.colours.emplace_back(std::array<glm::dvec3, 3>{first, second, third}, a, b, c);
+    }
     if (determinant == 0) continue;
-    const glm::dvec2 t1 = triangle.texcoord[1] - triangle.texcoord[0], t2 = triangle.texcoord[2] - triangle.texcoord[0];
-    texcoords.perColumn = (c.y * t1 - b.y * t2) / determinant;
-    texcoords.perRow = (b.x * t2 - c.x * t1) / determinant;
-    texcoords.atZero -= a.x * texcoords.perColumn + a.y * texcoords.perRow;
     const glm::dvec2 low = a + glm::min(glm::min(b, c), glm::dvec2(0)),
                      high = a + glm::max(glm::max(b, c), glm::dvec2(0));
     const auto first = [](double from) { return std::max(0, static_cast<int>(std::ceil(from - 0.5))); };
@@ -87,13 +102,12 @@ std::vector<std::uint32_t> nearestCoveredTexels(const Covering& covering, int co
   return nearestCovered(columns, rows, covered);
 }
 
-/// The pixel of a repeated image at a texture coordinate; v = 0 is the bottom.
+/// The pixel of an image at a texture coordinate; v = 0 is the bottom.
 const glm::dvec3& pixelAt(const Image& image, const glm::dvec2& texcoord) {
-  const glm::dvec2 place = texcoord - glm::floor(texcoord);
-  const int column = std::min(static_cast<int>(place.x * image.width), image.width - 1),
-            row = std::min(static_cast<int>(place.y * image.height), image.height - 1);
-  return image.pixels[static_cast<std::size_t>(image.height - 1 - row) * static_cast<std::size_t>(image.width) +
-                      static_cast<std::size_t>(column)];
+  const glm::dvec2 place = nearPlace(image.sampler(texcoord), image.sampler.wrap);
+  const auto column = static_cast<std::int64_t>(place.x * image.width),
+             row = static_cast<std::int64_t>(place.y * image.height);
+  return image.pixels[wrappedPixel(image.width, image.height, image.sampler.wrap, column, row)];
 }
 
 /// A map and its factor; without a map the factor alone.
@@ -164,7 +178,12 @@ void applyMaps(const Scene& scene, const std::vector<ImageLevels>& levels, const
     const Texcoords& texcoords = covering.texcoords[covering.triangle[texel].value_or(0)];
     const auto column = static_cast<double>(texel % static_cast<std::size_t>(columns)),
                row = static_cast<double>(texel / static_cast<std::size_t>(columns));
-    texels[i] = emission.at(texcoords, column, row) + reflectance.at(texcoords, column, row) * texels[i];
+    glm::dvec3 reflected = reflectance.at(texcoords, column, row) * texels[i];
+    if (surface.hasColours) {
+      const Affine<glm::dvec3>& colour = covering.colours[covering.triangle[texel].value_or(0)];
+      reflected *= glm::clamp(colour.at(column + 0.5, row + 0.5), 0.0, 1.0);
+    }
+    texels[i] = emission.at(texcoords, column, row) + reflected;
   }
 }
 

@@ -73,15 +73,15 @@ std::vector<Image> radiosityTextures(const Discretization& discretization, const
 
 Image filteredTexture(const Scene& scene, const Discretization& discretization, const TextureLayout& layout,
                       std::size_t texture, const std::vector<glm::dvec3>& radiosity, TextureFilter filter,
-                      const std::vector<std::vector<BorderEdge>>& borders, const std::vector<ImageLevels>& maps) {
+                      const std::vector<std::vector<BorderEdge>>& borders, const std::vector<ImageLevels>* maps) {
   const int magnification = layout.textures[texture].magnification;
   return filledTexture(discretization, layout, texture, magnification, [&](std::uint32_t surface) {
     std::vector<glm::dvec3> texels = filteredTexels(scene, discretization, surface, radiosity, filter, magnification);
     if (!borders.empty())
       correctBorders(discretization.grids[surface], radiosity, filter, magnification, borders[surface], texels);
     const Grid& grid = discretization.grids[surface];
-    if (!maps.empty() && hasMaps(scene, scene.surfaces[surface]))
-      applyMaps(scene, maps, scene.surfaces[surface], grid.columns * magnification, grid.rows * magnification, texels);
+    if (maps != nullptr && hasMaps(scene, scene.surfaces[surface]))
+      applyMaps(scene, *maps, scene.surfaces[surface], grid.columns * magnification, grid.rows * magnification, texels);
     return texels;
   });
 }

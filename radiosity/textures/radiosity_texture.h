@@ -30,7 +30,7 @@ std::vector<Image> radiosityTextures(const Discretization& discretization, const
 Image filteredTexture(const Scene& scene, const Discretization& discretization, const TextureLayout& layout,
                       std::size_t texture, const std::vector<glm::dvec3>& radiosity, TextureFilter filter,
                       const std::vector<std::vector<BorderEdge>>& borders = {},
-                      const std::vector<ImageLevels>& maps = {});
+                      const std::vector<ImageLevels>* maps = nullptr);
 
 /// The displayed value of an element in W/m^2: radiosity plus reflectance times the ambient estimate.
 glm::dvec3 displayRadiosity(const Scene& scene, const Discretization& discretization, const Solution& solution,

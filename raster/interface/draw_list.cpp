@@ -4,6 +4,7 @@
 #include <string>
 
 #include "raster/base/input_error.h"
+#include "raster/interface/assembly.h"
 
 namespace hemitex::raster {
 namespace {
@@ -52,6 +53,11 @@ bool frontReachesBackground(const DrawList& list, const Draw& draw, const std::v
   const ItemId background = backgroundId(list.format);
   if (list.value == PixelValue::TriangleNumbers)
     return std::uint64_t{draw.offset} + std::max(draw.count / 3, 1U) > background;
+  if (list.value == PixelValue::VertexValues) {
+    const auto largest = std::max_element(list.vertexValues.begin(), list.vertexValues.end());
+    return draw.offset + (largest == list.vertexValues.end() ? std::uint64_t{0} : *largest) >= background;
+  }
+  if (list.value == PixelValue::PassedSamples) return false;
   const auto map = static_cast<std::size_t>(draw.indexMap.value_or(0));
   return draw.indexMap ? reachesBackground(list, draw.offset, list.indexMaps[map], largestTexels[map])
                        : draw.offset == background;
@@ -73,10 +79,17 @@ void validateDraw(const DrawList& list, const Draw& draw, const std::vector<Item
 bool hasHoles(const IndexMap& map) { return std::find(map.ids.begin(), map.ids.end(), holeTexel) != map.ids.end(); }
 
 void validate(const DrawList& list) {
+  if (!isAssembled(list)) return validate(assembled(list));
   validateFormat(list.format);
   if (list.texcoords.size() != list.positions.size())
     throw InputError("there are " + std::to_string(list.positions.size()) + " positions but " +
                      std::to_string(list.texcoords.size()) + " texture coordinates");
+  if (list.clipZ.size() != (list.clipDepth == ClipDepth::None ? 0 : list.positions.size()))
+    throw InputError("there are " + std::to_string(list.clipZ.size()) + " values of z",
+                     "use one per position in clip space, and none in a scene");
+  if (list.vertexValues.size() != (list.value == PixelValue::VertexValues ? list.positions.size() : 0))
+    throw InputError("there are " + std::to_string(list.vertexValues.size()) + " values of vertices",
+                     "use one per position where pixels hold them, and none elsewhere");
   const auto isMissing = [&](std::uint32_t index) { return index >= list.positions.size(); };
   if (std::any_of(list.indices.begin(), list.indices.end(), isMissing))
     throw InputError("an index names a vertex that does not exist");
@@ -95,9 +108,30 @@ void validate(const DrawList& list) {
   }
 }
 
-void requireNearest(const DrawList& list) {
-  if (list.depthTest != DepthTest::Nearer)
-    throw InputError("this renderer draws the nearest triangle and has no other depth test", "use the plain renderer");
+void addVertex(DrawList& list, const DrawList& from, std::size_t index) {
+  list.positions.push_back(from.positions[index]);
+  list.texcoords.push_back(from.texcoords[index]);
+  if (!from.clipZ.empty()) list.clipZ.push_back(from.clipZ[index]);
+  if (!from.vertexValues.empty()) list.vertexValues.push_back(from.vertexValues[index]);
+}
+
+void removeVertices(DrawList& list) {
+  list.positions.clear();
+  list.texcoords.clear();
+  list.clipZ.clear();
+  list.vertexValues.clear();
+}
+
+bool isUsual(const DrawList& list) {
+  return isAssembled(list) && list.value <= PixelValue::TriangleNumbers && list.depthTest == DepthTest::Nearer &&
+         list.clipDepth == ClipDepth::None && list.depthPrecision == DepthPrecision::Exact &&
+         list.front == Winding::CounterClockwise;
+}
+
+void requireUsual(const DrawList& list) {
+  if (!isUsual(list))
+    throw InputError("this renderer draws item IDs and triangle numbers of the nearest triangle of a scene",
+                     "use the plain renderer");
 }
 
 }  // namespace hemitex::raster

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "raster/interface/assembly.h"
+
 namespace hemitex::raster {
 namespace {
 
@@ -12,7 +14,7 @@ void append(std::vector<SnappedTriangle>& triangles, const DrawList& list, const
   const ClippedPolygon polygon = clip(face, list, t);
   for (std::size_t k = 2; k < polygon.count; ++k) {
     const auto& [a, b, c] = fanTriangle(polygon, k);
-    SnappedTriangle triangle = snappedTriangle(face, {a, b, c}, {snap(face, a), snap(face, b), snap(face, c)});
+    SnappedTriangle triangle = snappedTriangle(list, face, {a, b, c}, {snap(face, a), snap(face, b), snap(face, c)});
     triangle.draw = draw;
     triangle.number = t;
     triangle.piece = static_cast<int>(k) - 2;
@@ -24,10 +26,7 @@ void drawFace(const DrawList& list, const Face& face, std::span<const std::uint3
   const std::vector<SnappedTriangle> triangles = snappedTriangles(list, face, skipped);
   const std::vector<CoveredSample> visible = visibleSamples(list, triangles, face.scissor);
   buffer.resize(face.scissor);
-  for (std::size_t pixel = 0; pixel < visible.size(); ++pixel) {
-    const SnappedTriangle* triangle = visible[pixel].triangle;
-    buffer.ids[pixel] = triangle ? itemId(list, *triangle, texelOf(list, visible[pixel])) : backgroundId(list.format);
-  }
+  for (std::size_t pixel = 0; pixel < visible.size(); ++pixel) buffer.ids[pixel] = pixelValue(list, visible[pixel]);
 }
 
 }  // namespace
@@ -56,7 +55,8 @@ std::vector<CoveredSample> visibleSamples(const DrawList& list, std::span<const 
         const Weights weights = weightsAt(triangle, sampleOf(column, row));
         if (!covers(triangle, weights)) continue;
         const auto pixel = static_cast<std::size_t>((row - scissor.row) * scissor.width + column - scissor.column);
-        const CoveredSample sample = coveredSample(triangle, weights);
+        CoveredSample sample = coveredSample(triangle, weights);
+        sample.passed = visible[pixel].passed + 1;
         // A hole is looked up only where it would be seen, which gives the same pixels.
         const bool isSeen = !visible[pixel].triangle || passes(list.depthTest, sample, visible[pixel], isNearer);
         if (isSeen && !isHole(list, sample)) visible[pixel] = sample;
@@ -65,7 +65,10 @@ std::vector<CoveredSample> visibleSamples(const DrawList& list, std::span<const 
   return visible;
 }
 
-PlainRenderer::PlainRenderer(DrawList list) : list_(std::move(list)) { validate(list_); }
+PlainRenderer::PlainRenderer(DrawList list) : list_(std::move(list)) {
+  validate(list_);
+  if (!isAssembled(list_)) list_ = assembled(list_);
+}
 
 void PlainRenderer::draw(std::span<const Face> faces, std::span<const std::uint32_t> skipped,
                          std::vector<ItemBuffer>& buffers, const std::function<void(std::size_t)>& drawn) {

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <optional>
+#include <span>
 
 #include "raster/interface/draw_list.h"
 #include "raster/interface/face.h"
@@ -19,10 +20,12 @@ namespace hemitex::raster {
 // ------------------------------------------------------------------------------------------------------------- 1. view
 
 /// A vertex as the eye sees it: x to the right, y towards larger rows and w forward, with its texture coordinate. The
-/// picture plane is w = 1, and shows x/w and y/w.
+/// picture plane is w = 1, and shows x/w and y/w. The depth is z/w, and nearer points have the smaller one. Views have
+/// no z of their own: with -1 the depth is -1/w.
 struct ViewVertex {
   double x, y, w;
   double u, v;
+  double z = -1;
 };
 
 /// The rules fix the rounding of this step: single precision, in this order of operations.
@@ -32,35 +35,60 @@ inline ViewVertex view(const Face& face, const glm::vec3& position, const glm::v
   return {along(face.x), along(face.y), along(face.w), texcoord.x, texcoord.y};
 }
 
+/// A vertex of a list. In clip space the rows of the face apply to x, y and w, and z stays.
+inline ViewVertex viewedVertex(const Face& face, const DrawList& list, std::size_t index) {
+  ViewVertex vertex = view(face, list.positions[index], list.texcoords[index]);
+  if (list.clipDepth != ClipDepth::None) vertex.z = static_cast<double>(list.clipZ[index]);
+  return vertex;
+}
+
 /// The vertices of triangle t of a list, with indices 3t to 3t + 2.
 inline std::array<ViewVertex, 3> view(const Face& face, const DrawList& list, std::uint32_t t) {
-  const auto vertex = [&](std::size_t k) {
-    const std::uint32_t index = list.indices[3 * std::size_t{t} + k];
-    return view(face, list.positions[index], list.texcoords[index]);
-  };
+  const auto vertex = [&](std::size_t k) { return viewedVertex(face, list, list.indices[3 * std::size_t{t} + k]); };
   return {vertex(0), vertex(1), vertex(2)};
 }
 
 /// A triangle with a value that is not finite is not drawn.
 inline bool isFinite(const ViewVertex& p) {
-  return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.w) && std::isfinite(p.u) && std::isfinite(p.v);
+  return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.w) && std::isfinite(p.u) && std::isfinite(p.v) &&
+         std::isfinite(p.z);
 }
 inline bool areFinite(const std::array<ViewVertex, 3>& p) { return isFinite(p[0]) && isFinite(p[1]) && isFinite(p[2]); }
 
 // ------------------------------------------------------------------------------------------------------------- 2. clip
 
-/// The planes that clip: the near plane, and a guard band of eight times the picture, which keeps the integers of the
-/// next step small.
-enum class ClipPlane { Near, Right, Left, Upper, Lower };
-/// In the order of clipping.
-constexpr std::array clipPlanes{ClipPlane::Near, ClipPlane::Right, ClipPlane::Left, ClipPlane::Upper, ClipPlane::Lower};
+/// The planes that clip: the near plane, those of z in clip space, and a guard band of eight times the picture, which
+/// keeps the integers of the next step small. In clip space the near plane is that of the smallest w.
+enum class ClipPlane { Near, ZeroZ, LeastZ, LargestZ, Right, Left, Upper, Lower };
 inline constexpr double guardBand = 8;
+
+/// The planes of a list, in the order of clipping.
+inline std::span<const ClipPlane> clipPlanes(ClipDepth depth) {
+  using enum ClipPlane;
+  static constexpr std::array scene{Near, Right, Left, Upper, Lower};
+  static constexpr std::array zeroToOne{Near, ZeroZ, LargestZ, Right, Left, Upper, Lower};
+  static constexpr std::array minusOneToOne{Near, LeastZ, LargestZ, Right, Left, Upper, Lower};
+  switch (depth) {
+    case ClipDepth::None:
+      return scene;
+    case ClipDepth::ZeroToOne:
+      return zeroToOne;
+    default:
+      return minusOneToOne;
+  }
+}
 
 /// At least 0 inside.
 inline double distance(ClipPlane plane, const ViewVertex& p, double nearDistance) {
   switch (plane) {
     case ClipPlane::Near:
       return p.w - nearDistance;
+    case ClipPlane::ZeroZ:
+      return p.z;
+    case ClipPlane::LeastZ:
+      return p.w + p.z;
+    case ClipPlane::LargestZ:
+      return p.w - p.z;
     case ClipPlane::Right:
       return guardBand * p.w - p.x;
     case ClipPlane::Left:
@@ -79,13 +107,13 @@ inline ViewVertex crossing(ClipPlane plane, const ViewVertex& a, const ViewVerte
   const double t = fromA / (fromA - distance(plane, b, nearDistance));
   const auto between = [t](double from, double to) { return from + t * (to - from); };
   const double w = plane == ClipPlane::Near ? nearDistance : std::max(between(a.w, b.w), nearDistance);
-  return {between(a.x, b.x), between(a.y, b.y), w, between(a.u, b.u), between(a.v, b.v)};
+  return {between(a.x, b.x), between(a.y, b.y), w, between(a.u, b.u), between(a.v, b.v), between(a.z, b.z)};
 }
 
 /// A convex polygon; without vertices if nothing is left. Each plane adds at most one vertex. Rounding can make the
-/// polygon slightly non-convex; then a plane multiplies their number by at most 3/2: 3, 4, 6, 9, 13, 19.
+/// polygon slightly non-convex; then a plane multiplies their number by at most 3/2: 3, 4, 6, 9, 13, 19, 28, 42.
 struct ClippedPolygon {
-  std::array<ViewVertex, 19> vertices;
+  std::array<ViewVertex, 42> vertices;
   std::size_t count = 0;
 
   void add(const ViewVertex& vertex) { vertices[count++] = vertex; }
@@ -115,10 +143,11 @@ bool cuts(ClipPlane plane, const Vertices& vertices, double nearDistance) {
 }
 
 /// The part of a triangle inside all planes. Its values are finite.
-inline ClippedPolygon clip(const std::array<ViewVertex, 3>& triangle, double nearDistance) {
+inline ClippedPolygon clip(const std::array<ViewVertex, 3>& triangle, double nearDistance,
+                           ClipDepth depth = ClipDepth::None) {
   ClippedPolygon polygon;
   for (const ViewVertex& vertex : triangle) polygon.add(vertex);
-  for (const ClipPlane plane : clipPlanes)
+  for (const ClipPlane plane : clipPlanes(depth))
     if (cuts(plane, polygon, nearDistance)) polygon = clip(polygon, plane, nearDistance);
   return polygon;
 }
@@ -126,7 +155,7 @@ inline ClippedPolygon clip(const std::array<ViewVertex, 3>& triangle, double nea
 /// What remains of triangle t of a list; nothing if a value is not finite.
 inline ClippedPolygon clip(const Face& face, const DrawList& list, std::uint32_t t) {
   const std::array<ViewVertex, 3> vertices = view(face, list, t);
-  return areFinite(vertices) ? clip(vertices, face.nearDistance) : ClippedPolygon{};
+  return areFinite(vertices) ? clip(vertices, face.nearDistance, list.clipDepth) : ClippedPolygon{};
 }
 
 /// A polygon is drawn as a fan of triangles around its first vertex. This is the one that ends at vertex k, from 2 on.
@@ -177,6 +206,23 @@ inline std::int64_t edgeFunction(const SnappedPoint& a, const SnappedPoint& b, c
   return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x);
 }
 
+/// How the depth d of a list is stored: d = scale z/w + offset, from 0 to 1.
+struct DepthRule {
+  DepthPrecision precision = DepthPrecision::Exact;
+  double scale = 1, offset = 0;
+};
+
+inline DepthRule depthRuleOf(const DrawList& list, const Face& face) {
+  switch (list.clipDepth) {
+    case ClipDepth::None:
+      return {list.depthPrecision, static_cast<double>(face.nearDistance), 1};  // 1 - n/w
+    case ClipDepth::ZeroToOne:
+      return {list.depthPrecision, 1, 0};
+    default:
+      return {list.depthPrecision, 0.5, 0.5};
+  }
+}
+
 /// A triangle on the picture.
 struct SnappedTriangle {
   std::uint32_t draw = 0;    ///< in DrawList::draws
@@ -186,17 +232,21 @@ struct SnappedTriangle {
   std::array<SnappedPoint, 3> corners = {};
   std::int64_t area = 0;   ///< twice its signed area; a triangle without area is not drawn
   bool facesAway = false;  ///< from the eye
+  DepthRule depthRule = {};
 
   /// 1 or -1: an edge function times this is positive inside.
   std::int64_t sign() const { return area > 0 ? 1 : -1; }
 };
 
 /// The triangle of three vertices and their corners on the picture, with its area and facing.
-inline SnappedTriangle snappedTriangle(const Face& face, const std::array<ViewVertex, 3>& vertices,
+inline SnappedTriangle snappedTriangle(const DrawList& list, const Face& face,
+                                       const std::array<ViewVertex, 3>& vertices,
                                        const std::array<SnappedPoint, 3>& corners) {
   SnappedTriangle triangle{.vertices = vertices, .corners = corners};
   triangle.area = edgeFunction(corners[0], corners[1], corners[2]);
-  triangle.facesAway = (triangle.area > 0) == (determinant(face) > 0);
+  const bool isClockwise = (triangle.area > 0) == (determinant(face) > 0);
+  triangle.facesAway = isClockwise != (list.front == Winding::Clockwise);
+  triangle.depthRule = depthRuleOf(list, face);
   return triangle;
 }
 
@@ -292,18 +342,53 @@ struct CoveredSample {
   const SnappedTriangle* triangle = nullptr;
   Weights weights = {};
   double inverseDepth = 0;
+  double depth = 0, depthError = 0;  ///< z/w, up to an error; or the stored depth
+  ItemId passed = 0;                 ///< fragments that passed the depth test at the pixel, this one included
 };
 
+/// z/w at a sample: smaller for nearer points.
+template <typename Number>
+Number depthOf(const SnappedTriangle& triangle, const std::array<Number, 3>& overDepth) {
+  const auto term = [&](std::size_t k) -> Number { return overDepth[k] * Number(triangle.vertices[k].z); };
+  return term(0) + term(1) + term(2);
+}
+
+/// The number of a precision next to a depth from 0 to 1.
+inline double rounded(DepthPrecision precision, double depth) {
+  if (precision == DepthPrecision::Float32) return static_cast<double>(static_cast<float>(depth));
+  const double steps = precision == DepthPrecision::Unorm16 ? 0xffff : 0xffffff;
+  return std::nearbyint(depth * steps) / steps;
+}
+
+double storedDepthExactly(const SnappedTriangle& triangle, const Weights& weights);
+
+/// The depth that a precision stores, where z/w is known up to an error.
+inline double storedDepth(const SnappedTriangle& triangle, const Weights& weights, double depth, double error) {
+  const DepthRule& rule = triangle.depthRule;
+  const double middle = rule.scale * depth + rule.offset, around = rule.scale * error + roundingError;
+  const auto roundedAt = [&](double d) { return rounded(rule.precision, std::clamp(d, 0.0, 1.0)); };
+  const double low = roundedAt(middle - around), high = roundedAt(middle + around);
+  return low == high ? low : storedDepthExactly(triangle, weights);
+}
+
 inline CoveredSample coveredSample(const SnappedTriangle& triangle, const Weights& weights) {
-  return {&triangle, weights, inverseDepth(weightsOverDepth<double>(triangle, weights))};
+  const auto overDepth = weightsOverDepth<double>(triangle, weights);
+  CoveredSample sample{&triangle, weights, inverseDepth(overDepth), depthOf(triangle, overDepth)};
+  for (std::size_t k = 0; k < 3; ++k)
+    sample.depthError += roundingError * std::abs(overDepth[k] * triangle.vertices[k].z);
+  if (triangle.depthRule.precision == DepthPrecision::Exact) return sample;
+  sample.depth = storedDepth(triangle, weights, sample.depth, sample.depthError);
+  sample.depthError = 0;
+  return sample;
 }
 
 bool isNearerExactly(const CoveredSample& a, const CoveredSample& b);
 
 /// Whether `a` is nearer than `b` at the same sample. Of equal depths neither is, and the earlier triangle stays.
 inline bool isNearer(const CoveredSample& a, const CoveredSample& b) {
-  const double difference = a.inverseDepth - b.inverseDepth;
-  return std::abs(difference) > roundingError * a.inverseDepth ? difference > 0 : isNearerExactly(a, b);
+  const double difference = b.depth - a.depth;
+  const bool isSure = std::abs(difference) > a.depthError + b.depthError;
+  return isSure || a.triangle->depthRule.precision != DepthPrecision::Exact ? difference > 0 : isNearerExactly(a, b);
 }
 
 /// Whether a fragment passes the depth test of a list against the one that its pixel shows. `nearer(x, y)` tells
@@ -368,7 +453,7 @@ inline bool isHole(const DrawList& list, const CoveredSample& sample) {
 
 // ------------------------------------------------------------------------------------------------------------ 7. blend
 
-/// The texel that gives a sample its item ID; none without an index map, on a back, or for a triangle number.
+/// The texel that gives a sample its item ID; none without an index map, on a back, or where pixels hold no item IDs.
 inline std::optional<Texel> texelOf(const DrawList& list, const CoveredSample& sample) {
   const Draw& draw = list.draws[sample.triangle->draw];
   const bool isTextured = draw.indexMap && list.value == PixelValue::ItemIds;
@@ -381,8 +466,15 @@ inline std::optional<Texel> texelOf(const DrawList& list, const CoveredSample& s
 inline ItemId itemId(const DrawList& list, const SnappedTriangle& triangle, const std::optional<Texel>& texel) {
   const Draw& draw = list.draws[triangle.draw];
   if (triangle.facesAway && draw.back) return *draw.back;
-  if (list.value == PixelValue::TriangleNumbers) return triangleNumber(draw, triangle.number);
+  if (list.value != PixelValue::ItemIds) return flatValue(list, draw, triangle.number);
   return texel ? blend(list.format, list.blend, draw.offset, indexAt(list, draw, *texel)) : draw.offset;
+}
+
+/// The value of a pixel, of what it shows.
+inline ItemId pixelValue(const DrawList& list, const CoveredSample& shown) {
+  if (list.value == PixelValue::PassedSamples) return shown.passed;
+  if (!shown.triangle) return backgroundId(list.format);
+  return itemId(list, *shown.triangle, texelOf(list, shown));
 }
 
 }  // namespace hemitex::raster

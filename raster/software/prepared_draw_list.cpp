@@ -25,7 +25,7 @@ void prefetch(const std::vector<Value>& values, std::size_t first, std::size_t c
 
 PreparedDrawList prepare(DrawList list) {
   validate(list);
-  requireNearest(list);
+  requireUsual(list);
   PreparedDrawList draws;
   draws.list = std::move(list);
   draws.clusters = clustersOf(draws.list);

@@ -84,9 +84,19 @@ expect 0 run $kit/vectors --device "${program[*]} serve" --lines -o /suite-by-li
 says "^all,[1-9][0-9]*,0,0,0,0,0$"
 expect 0 random --seed 0 --count 20 -o /random
 expect 0 run /random --device "$device" -o /random-mine
+expect 0 run $kit/vectors --device "${program[*]} serve" --lines -o /part --shard 2/9
+# Version 2 of the rules: what only its vectors have.
+for family in holes culled-sides two-sided triangle-numbers depth-tests viewports; do
+  expect 0 random --family $family --seed 0 --count 5 -o /second/$family
+  grep -q '"version": 2' "$root/second/$family/$family-0/vector.json" || fail "$family is not of version 2"
+  expect 0 run /second/$family --device "$device" -o /second-mine/$family --exact
+  says "^all,[1-9][0-9]*,0,0,0,0,0$"
+  says "^reference: agrees with the independent evaluator"
+done
 expect 0 calibrate --probes /probes
 expect 0 run /probes --device "$device" -o /probes-mine
-expect 0 calibrate /probes --candidate /probes-mine -o /profile.json
+expect 0 calibrate /probes --candidate /probes-mine -o /profile.json --html /profile.html --device-name me
+grep -q '<h2>Sub-pixel grid</h2>' "$root/profile.html" || fail "the page of the profile has no sub-pixel grid"
 expect 0 check $kit/vectors --candidate /suite --profile /profile.json --record /record.json --device-name a --driver b
 expect 0 verify /record.json --suite $kit/vectors --candidate /suite
 echo "$archive: $(stat -c %s "$archive") bytes; hemitex-vector: $(stat -c %s "$root$kit/hemitex-vector") bytes"

@@ -67,7 +67,7 @@ class Examples : public Shell {
 TEST_CASE("README, the tutorial and the page of backends quote passages of examples", "[examples]") {
   const fs::path top = HEMITEX_SOURCE;
   const std::vector<std::pair<std::string, std::size_t>> pages{
-      {"README.md", 1}, {"docs/backend.md", 1}, {"docs/tutorial.md", 3}};
+      {"README.md", 1}, {"docs/backend.md", 2}, {"docs/tutorial.md", 3}};
   for (const auto& [page, count] : pages) {
     const std::vector<Quotation> quotations = quotationsOf(top / page);
     CHECK(quotations.size() == count);
@@ -86,6 +86,13 @@ TEST_CASE("The example own_backend names the fault of its first attempt", "[exam
   CHECK(outcome.exitCode == 0);
   CHECK_THAT(outcome.out, Catch::Contains("wrong item IDs; affine instead of perspective interpolation"));
   CHECK_THAT(outcome.out, Catch::EndsWith("perspective-floor: no errors\n"));
+}
+
+TEST_CASE("The example compute_rasterizer names the holes of its first version", "[examples]") {
+  const Outcome outcome = Examples().example("compute_rasterizer");
+  CHECK(outcome.exitCode == 0);
+  CHECK_THAT(outcome.out, Catch::Contains("fans-later-nearer: wrong fill rule, no edge"));
+  CHECK_THAT(outcome.out, Catch::EndsWith("fans-later-nearer: no errors\n"));
 }
 
 // The eye looks at a triangle that is 2 wide and high at a depth of 2: half of 16 pixels. Its left half shows the

@@ -490,9 +490,8 @@ std::vector<Injection> sampleInjections() {
   return {onIds("triangles missing", "rotated-view", everyId([](ItemId) { return 0xffffffffu; })),
           onInput("front and back exchanged", "backs", turnTriangles),
           {"front and back exchanged", "backs", turnedInMirror},
-          onDevice("wrong fill rule", "sample-grid-later-nearer",
-                   [](SimulatedDevice& device) { device.bottomRight = true; }),
           {"wrong fill rule", "borders-on-samples", withoutEdges},
+          onDevice("wrong fill rule", "fans-later-nearer", [](SimulatedDevice& device) { device.bottomRight = true; }),
           {"conservative rasterization", "five-faces",
            [](const TestVector& vector, const SimulatedDevice&) { return drawnByPlanes(vector, true, 0); }},
           {"supersampling averaged", "five-faces", averaged},
@@ -763,12 +762,140 @@ std::vector<Injection> memoryInjections() {
       onIds("dithering", layout, ditherTo565)};
 }
 
+// --- draws and passes ---
+
+/// A device whose fragments change with their distance.
+Injection fading(const std::string& fault, const std::string& vector,
+                 const std::function<ItemId(ItemId, double)>& fade) {
+  return {fault, vector, [=](const TestVector& right, const SimulatedDevice& device) {
+            reference::StagedDevice stages = stagedDeviceOf(device);
+            stages.fade = fade;
+            return drawAll(stages, right);
+          }};
+}
+
+/// A byte in fog of which `part` is clear.
+ItemId fogged(ItemId id, double part, double fog) {
+  const auto byte = [=](ItemId shift) {
+    return static_cast<ItemId>(std::lround(part * byteAt(id, shift) + (1 - part) * fog)) << shift;
+  };
+  return byte(0) | byte(8) | byte(16) | (id & 0xff000000);
+}
+
+/// Each pixel shows the texels at the corner that it shares with the three others of its block.
+Buffers inBlocks(const TestVector& vector, SimulatedDevice device) {
+  Buffers blocks = drawAll(device, vector);
+  for (const int odd : {0, 1, 2, 3}) {
+    device.shading = {odd % 2 == 0 ? 256 : 0, odd / 2 == 0 ? 256 : 0};
+    const Buffers shifted = drawAll(device, vector);
+    for (std::size_t f = 0; f < blocks.size(); ++f)
+      for (std::size_t p = 0; p < blocks[f].ids.size(); ++p) {
+        const glm::ivec2 at = reference::pixelAt(vector.faces[f].face.scissor, p);
+        if (at.x % 2 + 2 * (at.y % 2) == odd) blocks[f].ids[p] = shifted[f].ids[p];
+      }
+  }
+  return blocks;
+}
+
+/// Draws the edges of triangles from corner to corner, a pixel per step of the longer axis.
+Buffers asLines(const TestVector& vector, const SimulatedDevice& device) {
+  reference::StagedDevice stages = stagedDeviceOf(device);
+  stages.drawsLines = true;
+  return drawAll(stages, vector);
+}
+
+Buffers withoutSmallOnes(const TestVector& vector, const SimulatedDevice& device) {
+  reference::StagedDevice stages = stagedDeviceOf(device);
+  stages.keeps = [](const raster::SnappedTriangle& triangle) {
+    return std::abs(static_cast<double>(triangle.area)) / 2 / 65536 >= 1;
+  };
+  return drawAll(stages, vector);
+}
+
+Buffers jittered(const TestVector& vector, SimulatedDevice device) {
+  const double pixels = 2.0 / vector.faces[0].face.resolution;
+  device.vertex = [=](raster::ViewVertex& v) {
+    v.x += -0.25 * pixels * v.w;
+    v.y += pixels / 6 * v.w;
+  };
+  return drawAll(device, vector);
+}
+
+/// The smallest power of two that is at least `size`.
+int powerFrom(int size) { return static_cast<int>(std::bit_ceil(static_cast<unsigned>(size))); }
+
+void scaleToPowers(TestVector& vector) {
+  for (raster::IndexMap& map : vector.list.indexMaps) {
+    raster::IndexMap scaled{powerFrom(map.width), powerFrom(map.height), {}};
+    for (int row = 0; row < scaled.height; ++row)
+      for (int column = 0; column < scaled.width; ++column)
+        scaled.ids.push_back(
+            map.ids[static_cast<std::size_t>((2 * row + 1) * map.height / (2 * scaled.height) * map.width +
+                                             (2 * column + 1) * map.width / (2 * scaled.width))]);
+    map = scaled;
+  }
+}
+
+void moveRight(std::vector<ItemId>& ids, std::size_t width) {
+  for (std::size_t p = ids.size(); p-- > 0;) ids[p] = p % width == 0 ? 0xffffffff : ids[p - 1];
+}
+
+/// Tiles of 8 x 8 pixels follow each other in memory.
+void readTilesAsRows(std::vector<ItemId>& ids, std::size_t width) {
+  std::vector<ItemId> tiled;
+  for (std::size_t top = 0; top < ids.size() / width; top += 8)
+    for (std::size_t left = 0; left < width; left += 8)
+      for (std::size_t row = top; row < top + 8; ++row)
+        for (std::size_t column = left; column < left + 8; ++column) tiled.push_back(ids[row * width + column]);
+  ids = tiled;
+}
+
+std::vector<Injection> drawInjections() {
+  const auto bordered = [](const raster::IndexMap& map, const glm::dvec2& at) {
+    const bool isInside = at.x >= 0 && at.y >= 0 && at.x < map.width && at.y < map.height;
+    return isInside ? texelOf(map, at.x, at.y) : ItemId{0};
+  };
+  return {
+      fading("fog", "five-faces", [](ItemId id, double w) { return fogged(id, std::exp(-0.37 * w), 0); }),
+      fading("fog", "five-faces-tilted",
+             [](ItemId id, double w) { return fogged(id, std::clamp((7 - w) / 6.5, 0.0, 1.0), 127.5); }),
+      fading("far plane", "perspective-floor", [](ItemId id, double w) { return w > 10 ? 0xffffffff : id; }),
+      onInput("draws or triangles not drawn", "five-faces", [](TestVector& vector) { vector.list.draws.pop_back(); }),
+      onInput("draws or triangles not drawn", "fans-later-nearer",
+              [](TestVector& vector) {
+                for (raster::Draw& draw : vector.list.draws) draw.count -= 3;
+              }),
+      {"small triangles not drawn", "sub-pixel-sheet", withoutSmallOnes},
+      onInput("offset of another draw", "five-faces",
+              [](TestVector& vector) {
+                for (raster::Draw& draw : vector.list.draws) draw.offset = vector.list.draws.back().offset;
+              }),
+      onInput("index map of another draw", "many-maps",
+              [](TestVector& vector) {
+                for (raster::Draw& draw : vector.list.draws) draw.indexMap = vector.list.draws[0].indexMap;
+              }),
+      {"polygon mode of lines", "five-faces", asLines},
+      {"coarse shading", "five-faces", inBlocks},
+      onIds("item IDs one too large", "five-faces", everyId([](ItemId id) { return id + 1; })),
+      onIds("item IDs one too large", "five-faces", everyId([](ItemId id) { return id == 0xffffffff ? id : id + 1; })),
+      onIds("item ID 0 taken for nothing", "coplanar-light-first",
+            everyId([](ItemId id) { return id == 0 ? 0xffffffff : id; })),
+      onIds("item IDs through signed integers", "edge-offsets-r32ui",
+            everyId([](ItemId id) { return std::min(id, 0x7fffffffu); })),
+      onIds("tiled memory read as rows", "sample-grid-later-nearer", readTilesAsRows),
+      onDevice("border colour beyond the map", "clamped-coordinates",
+               [=](SimulatedDevice& device) { device.fetch = bordered; }),
+      onInput("size of the index map a power of two", "rectangular-map", scaleToPowers),
+      {"projection moved within a pixel", "five-faces", jittered},
+      onIds("picture moved by a pixel", "five-faces", moveRight)};
+}
+
 }  // namespace
 
 std::vector<Injection> injectedFaults() {
   std::vector<Injection> all;
-  for (const auto& some :
-       {viewInjections, geometryInjections, sampleInjections, textureInjections, blendInjections, memoryInjections})
+  for (const auto& some : {viewInjections, geometryInjections, sampleInjections, textureInjections, blendInjections,
+                           memoryInjections, drawInjections})
     for (Injection& injection : some()) all.push_back(std::move(injection));
   return all;
 }

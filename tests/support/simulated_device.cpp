@@ -25,9 +25,12 @@ std::minstd_rand generatorOf(std::uint32_t seed, const glm::vec3& position) {
   return std::minstd_rand(sequence);
 }
 
-ViewVertex disturbed(const SimulatedDevice& device, const raster::Face& face, const glm::vec3& position,
-                     const glm::vec2& texcoord) {
-  ViewVertex vertex = raster::view(face, position, texcoord);
+/// A vertex of the list; in clip space there is no vertex stage that could err.
+ViewVertex disturbed(const SimulatedDevice& device, const raster::Face& face, const raster::DrawList& list,
+                     std::uint32_t index) {
+  ViewVertex vertex = raster::viewedVertex(face, list, index);
+  if (list.clipDepth != raster::ClipDepth::None) return vertex;
+  const glm::vec3 position = list.positions[index];
   std::minstd_rand random = generatorOf(device.seed, position);
   const auto error = [&](const glm::vec3& row) {
     double sizes = 0;
@@ -50,14 +53,14 @@ raster::ClippedPolygon polygonOn(const SimulatedDevice& device, const raster::Fa
   std::array<ViewVertex, 3> triangle;
   for (std::size_t k = 0; k < 3; ++k) {
     const std::uint32_t index = list.indices[3 * std::size_t{t} + k];
-    triangle[k] = disturbed(device, face, list.positions[index], list.texcoords[index]);
+    triangle[k] = disturbed(device, face, list, index);
     triangle[k].x *= scale;
     triangle[k].y *= scale;
   }
-  raster::ClippedPolygon polygon = raster::clip(triangle, face.nearDistance);
+  raster::ClippedPolygon polygon = raster::clip(triangle, face.nearDistance, list.clipDepth);
   for (std::size_t k = 0; k < polygon.count; ++k) {
     ViewVertex& vertex = polygon.vertices[k];
-    vertex.x = vertex.x / scale + device.shift / (128.0 * face.resolution) * vertex.w;
+    vertex.x = vertex.x / scale + device.shift / (128.0 * raster::viewportOf(face).columns) * vertex.w;
     vertex.y /= scale;
   }
   return polygon;
@@ -157,7 +160,7 @@ raster::ItemId fetchOn(const SimulatedDevice& device, const raster::IndexMap& ma
 
 }  // namespace
 
-reference::StagedDevice stagedDeviceOf(const SimulatedDevice& device) {
+reference::StagedDevice stagedDeviceOf(const SimulatedDevice& device, const raster::DrawList& list) {
   const auto random = std::make_shared<std::mt19937>(device.seed);
   reference::StagedDevice stages;
   const bool snaps = device.profile.snapRounding != reference::SnapRounding::None;
@@ -170,11 +173,13 @@ reference::StagedDevice stagedDeviceOf(const SimulatedDevice& device) {
     stages.ownsSamples = [](const SnappedPoint& direction) { return !raster::ownsSamples(direction); };
   stages.samples = {device.sample};
   stages.shadingSample = device.shading;
-  stages.depth = [=](double inverseDepth, double nearDistance) {
-    return storedDepth(device, 1 - nearDistance * inverseDepth, *random);
+  const bool isScene = list.clipDepth == raster::ClipDepth::None;
+  stages.depth = [=, rule = raster::depthRuleOf(list, {})](double nearness, double nearDistance) {
+    const double depth = isScene ? 1 - nearDistance * nearness : rule.offset - rule.scale * nearness;
+    return storedDepth(device, depth, *random);
   };
   stages.passes = std::less<double>();
-  stages.clearedDepth = 1;
+  stages.clearedDepth = list.depthTest >= raster::DepthTest::Farther ? 0 : 1;
   if (device.passes) {
     stages.passes = device.passes;
     stages.clearedDepth.reset();
@@ -194,10 +199,11 @@ reference::StagedDevice stagedDeviceOf(const SimulatedDevice& device) {
 }
 
 raster::ItemBuffer drawOn(const SimulatedDevice& device, const raster::DrawList& list, const raster::Face& face) {
-  reference::StagedDevice stages = stagedDeviceOf(device);
+  reference::StagedDevice stages = stagedDeviceOf(device, list);
   raster::ItemBuffer drawn;
   stages.readBack = [&](const raster::Face&, raster::ItemBuffer& buffer) { drawn = buffer; };
-  drawOn(stages, reference::PlacedVector{list, {face}, {{}}, {{}}}, [](const raster::ItemBuffer&) { return true; });
+  drawOn(stages, reference::PlacedVector{list, {face}, {{}}, {{}}, list},
+         [](const raster::ItemBuffer&) { return true; });
   return drawn;
 }
 

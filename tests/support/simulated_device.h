@@ -37,8 +37,8 @@ struct SimulatedDevice {
       store{};  ///< of the target's item ID and the fragment's
 };
 
-/// The device's stages. It goes on with its random errors from call to call.
-reference::StagedDevice stagedDeviceOf(const SimulatedDevice& device);
+/// The device's stages for lists with the depths of one. It goes on with its random errors from call to call.
+reference::StagedDevice stagedDeviceOf(const SimulatedDevice& device, const raster::DrawList& list = {});
 
 raster::ItemBuffer drawOn(const SimulatedDevice& device, const raster::DrawList& list, const raster::Face& face);
 

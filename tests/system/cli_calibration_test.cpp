@@ -39,7 +39,12 @@ TEST_CASE("hemitex vector calibrate finds the profile of the reference renderer,
     shell.output("vector render probes/" + name + " -o device/" + name);
   }
   const std::string calibrate = "vector calibrate probes --candidate device -o profile.json";
-  const json found = json::parse(shell.output(calibrate + " --json"));
+  const json found = json::parse(shell.output(calibrate + " --html page.html --device-name 'A <GPU>' --json"));
+  const std::string page = readAll(shell.file("page.html"));
+  CHECK_THAT(page, Catch::Contains("<h1>Profile of A &lt;GPU&gt;</h1>"));
+  for (const char* property : {"Sub-pixel grid", "Edge rule", "Texel addressing", "Depth", "Clipping"})
+    CHECK_THAT(page, Catch::Contains(std::string("<h2>") + property + "</h2>"));
+  CHECK_THAT(page, Catch::Contains("8 bits, to the nearest") && !Catch::Contains("src=") && !Catch::Contains("href="));
   CHECK(found["faults"].empty());
   CHECK(found["profile"] == json::parse(readAll(shell.file("profile.json"))));
   CHECK(found["profile"]["version"] == 2);
@@ -50,8 +55,10 @@ TEST_CASE("hemitex vector calibrate finds the profile of the reference renderer,
   shell.output("vector check device/edge-rule --candidate device/edge-rule --profile profile.json");
 
   fs::remove(shell.file("profile.json"));
+  fs::remove(shell.file("page.html"));
   writeAll(shell.file("device/edge-rule/front.u32"), std::string(256 * 4, 'x'));
-  const Outcome faulty = shell.run(calibrate);
+  const Outcome faulty = shell.run(calibrate + " --html page.html");
+  CHECK_FALSE(fs::exists(shell.file("page.html")));
   CHECK(faulty.exitCode == 1);
   CHECK(faulty.out.find("coverage: ") == 0);
   CHECK_FALSE(fs::exists(shell.file("profile.json")));
@@ -63,8 +70,10 @@ TEST_CASE("hemitex vector calibrate finds the profile of the reference renderer,
   const Outcome strange = shell.run(calibrate);
   CHECK(strange.exitCode == 2);
   CHECK(strange.err.find("--probes") != std::string::npos);
-  for (const char* arguments : {"", " probes", " probes -o profile.json", " probes --candidate device",
-                                " --probes again probes --candidate device -o profile.json", " --probes again -o out"})
+  for (const char* arguments :
+       {"", " probes", " probes -o profile.json", " probes --candidate device",
+        " --probes again probes --candidate device -o profile.json", " --probes again -o out",
+        " --probes again --html page.html", " probes --candidate device -o p.json --device-name a"})
     CHECK(shell.run(std::string("vector calibrate") + arguments).exitCode == 2);
   CHECK_FALSE(fs::exists(shell.file("again")));
 }

@@ -1,8 +1,10 @@
 /// Facets: solve on facets, and the files of VTK that solve, formfactors and matrix write.
+#include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <numeric>
+#include <sstream>
 #include <string>
 
 #include "radiosity/meshes/vtk_xml_file.h"
@@ -117,9 +119,9 @@ TEST_CASE("hemitex solve refuses a matrix of another mesh, and options that face
   shell.output("formfactors room.obj --all --facets -o F.npz");
   writeAll(shell.file("one.csv"), "0 1 1\n1 0 0\n0 0 0.5\n");
   for (const std::string& arguments : std::vector<std::string>{
-           box + " --matrix F.npz", "room.obj --matrix missing.npz", "room.obj --facets --two-sided",
-           "room.obj --facets --no-facets", "room.obj --facets --max-error 0.1 --texels 4",
-           "room.obj --matrix F.npz --resolution 64", "room.obj --cell-emission e", "room.obj --matrix one.csv"}) {
+           box + " --matrix F.npz", "room.obj --matrix missing.npz", "room.obj --facets --no-facets",
+           "room.obj --facets --max-error 0.1 --texels 4", "room.obj --matrix F.npz --resolution 64",
+           "room.obj --cell-emission e", "room.obj --matrix one.csv"}) {
     CAPTURE(arguments);
     const Outcome outcome = shell.run("solve " + arguments + " -o lit");
     CHECK(outcome.exitCode == 2);
@@ -169,4 +171,113 @@ TEST_CASE("hemitex matrix compare --vtu writes the differences of its table", "[
     received += byReceiver[f] * table["facets"][f]["area"].get<double>();
   }
   CHECK(sent == Approx(received));
+}
+
+namespace {
+
+/// A floor that looks up, a ceiling that looks down, and a sheet of two faces between them: 0 to 3 in the order of
+/// `order`, where 2 is the side of the sheet that looks down.
+std::vector<std::array<glm::dvec3, 4>> sheetQuads() {
+  return {{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}},
+          {{{0, 0, 1}, {0, 1, 1}, {1, 1, 1}, {1, 0, 1}}},
+          {{{0, 0, .5}, {0, 1, .5}, {1, 1, .5}, {1, 0, .5}}},
+          {{{0, 0, .5}, {1, 0, .5}, {1, 1, .5}, {0, 1, .5}}}};
+}
+
+/// A mesh file in the format of its ending.
+std::string meshText(const std::string& ending, const std::vector<std::array<glm::dvec3, 4>>& quads) {
+  std::ostringstream text;
+  const auto addPoints = [&](const std::string& before) {
+    int number = 0;
+    for (const auto& quad : quads)
+      for (const glm::dvec3& p : quad) {
+        text << before;
+        if (ending == "vs3") text << ' ' << ++number;
+        text << ' ' << p.x << ' ' << p.y << ' ' << p.z << "\n";
+      }
+  };
+  const auto addFaces = [&](const std::string& before, int first) {
+    for (std::size_t q = 0; q < quads.size(); ++q) {
+      text << before;
+      if (ending == "vs3") text << ' ' << q + 1;
+      for (int k = 0; k < 4; ++k) text << ' ' << first + 4 * static_cast<int>(q) + k;
+      text << (ending == "vs3" ? " 0 0 0.5 s" : "") << "\n";
+    }
+  };
+  if (ending == "obj") {
+    addPoints("v");
+    addFaces("f", 1);
+  } else if (ending == "ply") {
+    text << "ply\nformat ascii 1.0\nelement vertex " << 4 * quads.size()
+         << "\nproperty double x\nproperty double y\nproperty double z\nelement face " << quads.size()
+         << "\nproperty list uchar int vertex_indices\nend_header\n";
+    addPoints("");
+    addFaces("4", 0);
+  } else if (ending == "vtk") {
+    text << "# vtk DataFile Version 3.0\nsheet\nASCII\nDATASET POLYDATA\nPOINTS " << 4 * quads.size() << " double\n";
+    addPoints("");
+    text << "POLYGONS " << quads.size() << ' ' << 5 * quads.size() << "\n";
+    addFaces("4", 0);
+  } else {
+    text << "T sheet\nF 3\n";
+    addPoints("V");
+    addFaces("S", 1);
+    text << "End of data\n";
+  }
+  return text.str();
+}
+
+}  // namespace
+
+// Two equal squares, half of their side apart (Howell, C-11).
+TEST_CASE("A pair of coincident facets is a sheet of two sides in every mesh format and order", "[cli]") {
+  const Shell shell;
+  const std::vector<std::array<glm::dvec3, 4>> quads = sheetQuads();
+  for (const std::string ending : {"obj", "ply", "vtk", "vs3"})
+    for (const std::array<std::size_t, 4>& order :
+         {std::array<std::size_t, 4>{0, 1, 2, 3}, {3, 2, 1, 0}, {2, 0, 3, 1}}) {
+      INFO(ending << ' ' << order[0] << order[1] << order[2] << order[3]);
+      std::vector<std::array<glm::dvec3, 4>> ordered;
+      for (const std::size_t q : order) ordered.push_back(quads[q]);
+      writeAll(shell.file("sheet." + ending), meshText(ending, ordered));
+      shell.output("formfactors sheet." + ending + " --all --facets --max-error 0.01 -o F.csv");
+      const reference::SparseMatrix matrix = reference::readMatrix(shell.file("F.csv")).matrix;
+      const auto factor = [&](std::size_t from, std::size_t to) {
+        const auto at = [&](std::size_t q) {
+          return static_cast<std::uint32_t>(std::find(order.begin(), order.end(), q) - order.begin());
+        };
+        const auto place = matrix.placeOf(at(from), at(to));
+        return place ? matrix.value[*place] : 0;
+      };
+      CHECK(factor(0, 2) == Approx(0.415253).margin(0.005));
+      CHECK(factor(1, 3) == Approx(0.415253).margin(0.005));
+      CHECK(factor(0, 1) + factor(0, 3) + factor(2, 3) + factor(3, 2) == 0);
+      CHECK(shell.run("matrix check F.csv sheet." + ending).exitCode == 0);
+    }
+}
+
+TEST_CASE("Facets with two sides have their backs as rows and columns after those of the fronts", "[cli]") {
+  const Shell shell;
+  std::vector<std::array<glm::dvec3, 4>> quads = sheetQuads();
+  quads.pop_back();                     // the sheet has one face, which looks down
+  std::swap(quads[0][1], quads[0][3]);  // the floor looks down, too
+  writeAll(shell.file("sheet.ply"), meshText("ply", quads));
+  shell.output("formfactors sheet.ply --all --two-sided -o F.csv --vtu F.vtu --row 1");
+  const reference::SparseMatrix matrix = reference::readMatrix(shell.file("F.csv")).matrix;
+  REQUIRE(matrix.rows() == 6);
+  const auto factor = [&](std::uint32_t from, std::uint32_t to) {
+    const auto place = matrix.placeOf(from, to);
+    return place ? matrix.value[*place] : 0;
+  };
+  CHECK(factor(3, 2) == Approx(0.415253).margin(0.005));  // from the upper side of the floor
+  CHECK(factor(1, 5) == Approx(0.415253).margin(0.005));  // from the ceiling to the upper side of the sheet
+  CHECK(factor(0, 1) + factor(0, 2) + factor(4, 5) == 0);
+  CHECK(cellData(shell, "F.vtu", "form_factor_from_1").size() == 6);
+  CHECK(shell.run("matrix check F.csv sheet.ply --two-sided").exitCode == 0);
+  shell.output("solve sheet.ply --facets --two-sided --emit 1=9,9,9 --max-error 0.01 --no-textures -o lit");
+  const std::vector<glm::dvec3> lit = vectorsOf(shell, "lit/scene.vtu", "radiosity");
+  REQUIRE(lit.size() == 6);
+  // Light goes forth and back.
+  CHECK(lit[5].x == Approx(0.5 * 9 * 0.415253 / (1 - 0.5 * 0.5 * 0.415253 * 0.415253)).epsilon(0.01));
+  CHECK(lit[2].x == 0);
 }

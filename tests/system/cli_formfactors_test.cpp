@@ -439,8 +439,7 @@ TEST_CASE("hemitex formfactors refuses what no sparse matrix can be made of", "[
        {std::pair("--all", "needs --by-surface, or -o with a file that ends in .npz, .mtx or .csv"),
         {"--all -o F.txt", "does not end in .npz, .mtx or .csv"},
         {"--all -o F.npz --method analytic", "rows sum to 1"},
-        {"--all -o F.npz --method rays --aimed", "rows sum to 1"},
-        {"--all -o F.npz --facets --two-sided", "--two-sided"}}) {
+        {"--all -o F.npz --method rays --aimed", "rows sum to 1"}}) {
     INFO(arguments);
     const Outcome outcome = shell.run("formfactors room.obj " + std::string(arguments));
     CHECK(outcome.exitCode == 2);

@@ -43,6 +43,39 @@ double componentAt(const unsigned char* bytes, int type, bool isNormalized) {
   }
 }
 
+/// Where numbers of a buffer are.
+struct Range {
+  int view = 0;
+  std::size_t offset = 0;
+  int componentType = 0;
+  bool isNormalized = false;
+};
+
+/// `count` elements of `components` numbers. Throws Fault, with the accessor's name, if they reach beyond their view.
+std::vector<double> numbersAt(const tinygltf::Model& gltf, const Range& range, std::size_t count,
+                              std::size_t components, const std::string& name) {
+  componentAt(std::array<unsigned char, 8>{}.data(), range.componentType, false);  // throws for an unknown type
+  const auto componentBytes =
+      static_cast<std::size_t>(tinygltf::GetComponentSizeInBytes(static_cast<std::uint32_t>(range.componentType)));
+  const std::size_t size = componentBytes * components;
+  if (count == 0) return {};
+  const Bytes bytes = bytesOf(gltf, range.view);
+  const std::size_t given = gltf.bufferViews[static_cast<std::size_t>(range.view)].byteStride;
+  const std::size_t stride = given == 0 ? size : given;
+  if (stride < size) throw Fault{name + " has a stride below the size of its values", exportAgain};
+  // Divided, because products of numbers in the file may overflow.
+  if (range.offset > bytes.size || size > bytes.size - range.offset ||
+      count - 1 > (bytes.size - range.offset - size) / stride)
+    throw Fault{name + " reaches beyond its buffer view", exportAgain};
+  std::vector<double> values;
+  values.reserve(count * components);
+  for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t c = 0; c < components; ++c)
+      values.push_back(componentAt(bytes.first + range.offset + i * stride + c * componentBytes, range.componentType,
+                                   range.isNormalized));
+  return values;
+}
+
 }  // namespace
 
 Bytes bytesOf(const tinygltf::Model& gltf, int viewIndex) {
@@ -56,30 +89,53 @@ Bytes bytesOf(const tinygltf::Model& gltf, int viewIndex) {
 std::vector<double> valuesOf(const tinygltf::Model& gltf, int index, int type, int components) {
   const tinygltf::Accessor& accessor = itemAt(gltf.accessors, index, "accessor");
   const std::string name = "accessor " + std::to_string(index);
-  if (accessor.sparse.isSparse) throw Fault{name + " is sparse, which is not read", "export without sparse accessors"};
   if (accessor.type != type) throw Fault{name + " has values of a wrong type", exportAgain};
-  const std::int32_t componentSize =
-      tinygltf::GetComponentSizeInBytes(static_cast<std::uint32_t>(accessor.componentType));
-  componentAt(std::array<unsigned char, 8>{}.data(), accessor.componentType, false);  // throws for an unknown type
-  const auto componentBytes = static_cast<std::size_t>(componentSize);
-  const std::size_t size = componentBytes * static_cast<std::size_t>(components);
-  if (accessor.count == 0) return {};
-  const Bytes bytes = bytesOf(gltf, accessor.bufferView);
-  const std::size_t given = gltf.bufferViews[static_cast<std::size_t>(accessor.bufferView)].byteStride;
-  const std::size_t stride = given == 0 ? size : given;
-  if (stride < size) throw Fault{name + " has a stride below the size of its values", exportAgain};
-  // Divided, because products of numbers in the file may overflow.
-  if (accessor.byteOffset > bytes.size || size > bytes.size - accessor.byteOffset ||
-      accessor.count - 1 > (bytes.size - accessor.byteOffset - size) / stride)
-    throw Fault{name + " reaches beyond its buffer view", exportAgain};
+  const auto width = static_cast<std::size_t>(components);
   std::vector<double> values;
-  values.reserve(accessor.count * static_cast<std::size_t>(components));
-  for (std::size_t i = 0; i < accessor.count; ++i)
-    for (std::size_t c = 0; c < static_cast<std::size_t>(components); ++c) {
-      const unsigned char* const first = bytes.first + accessor.byteOffset + i * stride + c * componentBytes;
-      values.push_back(componentAt(first, accessor.componentType, accessor.normalized));
-    }
+  if (accessor.bufferView < 0 && accessor.sparse.isSparse)
+    values.resize(accessor.count * width);
+  else
+    values = numbersAt(gltf, {accessor.bufferView, accessor.byteOffset, accessor.componentType, accessor.normalized},
+                       accessor.count, width, name);
+  if (!accessor.sparse.isSparse) return values;
+  const auto& [count, isSparse, indices, replaced] = accessor.sparse;
+  const auto offset = [](int bytes) { return static_cast<std::size_t>(std::max(bytes, 0)); };
+  const auto number = static_cast<std::size_t>(std::max(count, 0));
+  const std::vector<double> places =
+      numbersAt(gltf, {indices.bufferView, offset(indices.byteOffset), indices.componentType, false}, number, 1, name);
+  const std::vector<double> others =
+      numbersAt(gltf, {replaced.bufferView, offset(replaced.byteOffset), accessor.componentType, accessor.normalized},
+                number, width, name);
+  for (std::size_t i = 0; i < number; ++i) {
+    if (!(places[i] >= 0 && places[i] < static_cast<double>(accessor.count)))
+      throw Fault{name + " is sparse, and replaces a value that it lacks", exportAgain};
+    std::copy_n(others.begin() + static_cast<std::ptrdiff_t>(i * width), width,
+                values.begin() + static_cast<std::ptrdiff_t>(places[i]) * static_cast<std::ptrdiff_t>(width));
+  }
   return values;
+}
+
+std::vector<double> valuesOf(const tinygltf::Model& gltf, int index, int type, int components, std::size_t count) {
+  if (itemAt(gltf.accessors, index, "accessor").count != count)
+    throw Fault{"accessor " + std::to_string(index) + " has not one value for each of " + std::to_string(count),
+                exportAgain};
+  return valuesOf(gltf, index, type, components);
+}
+
+std::vector<double> numbersIn(const tinygltf::Value& object, const std::string& key) {
+  std::vector<double> numbers;
+  if (!object.IsObject() || !object.Has(key)) return numbers;
+  const tinygltf::Value& value = object.Get(key);
+  if (value.IsNumber()) numbers.push_back(value.GetNumberAsDouble());
+  for (std::size_t i = 0; value.IsArray() && i < value.ArrayLen(); ++i)
+    if (const tinygltf::Value& item = value.Get(static_cast<int>(i)); item.IsNumber())
+      numbers.push_back(item.GetNumberAsDouble());
+  return numbers;
+}
+
+const tinygltf::Value* extensionOf(const tinygltf::ExtensionMap& extensions, const std::string& name) {
+  const auto found = extensions.find(name);
+  return found == extensions.end() ? nullptr : &found->second;
 }
 
 }  // namespace hemitex::radiosity

@@ -38,8 +38,15 @@ struct Bytes {
 /// The bytes of a buffer view. Throws Fault if it reaches beyond its buffer.
 Bytes bytesOf(const tinygltf::Model& gltf, int viewIndex);
 
-/// The values of an accessor, `components` per element. Throws Fault for another type, for sparse accessors, and for
-/// one that reaches beyond its buffer view.
+/// The values of an accessor, `components` per element, with those that a sparse one replaces. Throws Fault for another
+/// type, and for one that reaches beyond its buffer view.
 std::vector<double> valuesOf(const tinygltf::Model& gltf, int index, int type, int components);
+/// As above. Throws Fault, before memory is taken, unless it has `count` elements.
+std::vector<double> valuesOf(const tinygltf::Model& gltf, int index, int type, int components, std::size_t count);
+
+/// A member of an extension: its number or numbers; empty if there are none.
+std::vector<double> numbersIn(const tinygltf::Value& object, const std::string& key);
+/// The extension of a name; null if there is none.
+const tinygltf::Value* extensionOf(const tinygltf::ExtensionMap& extensions, const std::string& name);
 
 }  // namespace hemitex::radiosity

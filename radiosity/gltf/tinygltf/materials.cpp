@@ -1,5 +1,6 @@
 #include "radiosity/gltf/tinygltf/materials.h"
 
+#include <cmath>
 #include <map>
 #include <optional>
 #include <string>
@@ -22,33 +23,81 @@ glm::dvec3 factorOf(const std::vector<double>& numbers, const glm::dvec3& missin
   return factor;
 }
 
-double emissiveStrength(const tinygltf::Material& material) {
-  const auto extension = material.extensions.find("KHR_materials_emissive_strength");
-  if (extension == material.extensions.end() || !extension->second.IsObject() ||
-      !extension->second.Has("emissiveStrength"))
-    return 1;
-  const tinygltf::Value& strength = extension->second.Get("emissiveStrength");
-  return strength.IsNumber() ? strength.GetNumberAsDouble() : 1;
+/// The number of an extension; `missing` where the file has none.
+double numberOf(const tinygltf::ExtensionMap& extensions, const std::string& name, const std::string& key,
+                double missing) {
+  const tinygltf::Value* const extension = extensionOf(extensions, name);
+  const std::vector<double> numbers = extension ? numbersIn(*extension, key) : std::vector<double>();
+  return numbers.empty() ? missing : numbers.front();
 }
 
-/// The image of a texture in the import, if there is one.
-std::optional<int> imageOf(const tinygltf::Model& gltf, const std::vector<int>& images, int texture, int texcoord,
-                           const std::string& material, GltfImport& import) {
-  if (texture < 0) return {};
-  const int image = itemAt(images, itemAt(gltf.textures, texture, "texture").source, "image");
-  if (texcoord != 0)
-    import.warnings.push_back("material '" + material + "': its texture uses other coordinates than the first ones");
-  return image;
+/// The use of a texture by a material.
+struct TextureUse {
+  std::optional<int> image = {};  ///< in the import
+  Sampler sampler = {};
+  int texcoords = 0;
+};
+
+Wrap wrapOf(int mode) {
+  return mode == TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE     ? Wrap::Clamp
+         : mode == TINYGLTF_TEXTURE_WRAP_MIRRORED_REPEAT ? Wrap::Mirror
+                                                         : Wrap::Repeat;
+}
+
+/// The place of KHR_texture_transform in an image, between coordinates with v = 0 at the bottom. The extension turns
+/// around the top left corner; its example shows in which direction.
+glm::dmat3x2 placeOf(const tinygltf::Value& transform) {
+  const auto pair = [&](const char* key, const glm::dvec2& missing) {
+    const std::vector<double> numbers = numbersIn(transform, key);
+    return numbers.size() == 2 ? glm::dvec2(numbers[0], numbers[1]) : missing;
+  };
+  const glm::dvec2 offset = pair("offset", glm::dvec2(0)), scale = pair("scale", glm::dvec2(1));
+  const std::vector<double> rotation = numbersIn(transform, "rotation");
+  const double angle = rotation.empty() ? 0 : rotation.front(), c = std::cos(angle), s = std::sin(angle);
+  const glm::dvec2 u(c * scale.x, -s * scale.x), v(s * scale.y, c * scale.y), fromTop = v + offset;
+  return {glm::dvec2(u.x, -u.y), glm::dvec2(-v.x, v.y), glm::dvec2(fromTop.x, 1 - fromTop.y)};
+}
+
+/// How a material uses a texture. The image of an extension counts where the texture has no other.
+TextureUse useOf(const tinygltf::Model& gltf, const std::vector<int>& images, const tinygltf::TextureInfo& info) {
+  TextureUse use{.texcoords = info.texCoord};
+  if (info.index < 0) return use;
+  const tinygltf::Texture& texture = itemAt(gltf.textures, info.index, "texture");
+  const double source =
+      texture.source >= 0 ? texture.source : numberOf(texture.extensions, "EXT_texture_webp", "source", -1);
+  use.image = itemAt(images, static_cast<int>(source), "image");
+  if (texture.sampler >= 0) {
+    const tinygltf::Sampler& sampler = itemAt(gltf.samplers, texture.sampler, "sampler");
+    use.sampler.wrap = {wrapOf(sampler.wrapS), wrapOf(sampler.wrapT)};
+  }
+  if (const tinygltf::Value* const transform = extensionOf(info.extensions, "KHR_texture_transform")) {
+    use.sampler.place = placeOf(*transform);
+    use.texcoords = static_cast<int>(numberOf(info.extensions, "KHR_texture_transform", "texCoord", use.texcoords));
+  }
+  return use;
+}
+
+/// The diffuse part of KHR_materials_pbrSpecularGlossiness, as a base colour.
+tinygltf::PbrMetallicRoughness diffuseOf(const tinygltf::Value& extension) {
+  tinygltf::PbrMetallicRoughness pbr;
+  pbr.baseColorFactor = numbersIn(extension, "diffuseFactor");
+  if (!extension.Has("diffuseTexture")) return pbr;
+  const tinygltf::Value& texture = extension.Get("diffuseTexture");
+  const auto integer = [&](const char* key, int missing) {
+    const std::vector<double> numbers = numbersIn(texture, key);
+    return numbers.empty() ? missing : static_cast<int>(numbers.front());
+  };
+  pbr.baseColorTexture.index = integer("index", -1);
+  pbr.baseColorTexture.texCoord = integer("texCoord", 0);
+  if (texture.Has("extensions") && texture.Get("extensions").Has("KHR_texture_transform"))
+    pbr.baseColorTexture.extensions["KHR_texture_transform"] = texture.Get("extensions").Get("KHR_texture_transform");
+  return pbr;
 }
 
 /// What lets light through a material: transmission, or alpha where the mode uses it. A factor of 0 transmits nothing.
 std::string transparencyOf(const tinygltf::Material& material) {
-  const auto transmission = material.extensions.find("KHR_materials_transmission");
-  if (transmission != material.extensions.end() && transmission->second.IsObject() &&
-      transmission->second.Has("transmissionFactor")) {
-    const tinygltf::Value& factor = transmission->second.Get("transmissionFactor");
-    if (factor.IsNumber() && factor.GetNumberAsDouble() > 0) return "KHR_materials_transmission";
-  }
+  if (numberOf(material.extensions, "KHR_materials_transmission", "transmissionFactor", 0) > 0)
+    return "KHR_materials_transmission";
   return material.alphaMode == "BLEND" || material.alphaMode == "MASK" ? "alphaMode " + material.alphaMode : "";
 }
 
@@ -62,17 +111,26 @@ std::vector<ImportedMaterial> materialsOf(const tinygltf::Model& gltf, const std
     ImportedMaterial material;
     material.name = names.add(given.name.empty() ? "material-" + std::to_string(m) : given.name);
     const std::string owner = "material '" + material.name + "'";
-    const tinygltf::PbrMetallicRoughness& pbr = given.pbrMetallicRoughness;
-    material.baseColor = factorOf(pbr.baseColorFactor, glm::dvec3(1.0), owner);
-    material.baseColorImage =
-        imageOf(gltf, images, pbr.baseColorTexture.index, pbr.baseColorTexture.texCoord, material.name, import);
-    const double strength = emissiveStrength(given);
+    const tinygltf::Value* const glossy = extensionOf(given.extensions, "KHR_materials_pbrSpecularGlossiness");
+    const tinygltf::PbrMetallicRoughness pbr = glossy ? diffuseOf(*glossy) : given.pbrMetallicRoughness;
+    const TextureUse colour = useOf(gltf, images, pbr.baseColorTexture),
+                     light = useOf(gltf, images, given.emissiveTexture);
+    if (glossy ? !pbr.baseColorFactor.empty() : given.values.count("baseColorFactor") > 0)
+      material.baseColor = factorOf(pbr.baseColorFactor, glm::dvec3(1.0), owner);
+    material.baseColorImage = colour.image;
+    material.baseColorSampler = colour.sampler;
+    material.emissionImage = light.image;
+    material.emissionSampler = light.sampler;
+    material.texcoords = colour.image ? colour.texcoords : light.image ? light.texcoords : 0;
+    if (colour.image && light.image && colour.texcoords != light.texcoords)
+      import.warnings.push_back(owner +
+                                ": its emissive texture uses other coordinates than its base colour; those of " +
+                                "the base colour stand for them");
+    const double strength = numberOf(given.extensions, "KHR_materials_emissive_strength", "emissiveStrength", 1);
     material.emission = factorOf(given.emissiveFactor, glm::dvec3(0.0), owner);
     material.emission =
         factorOf({material.emission.x * strength, material.emission.y * strength, material.emission.z * strength},
                  glm::dvec3(0.0), owner);
-    material.emissionImage =
-        imageOf(gltf, images, given.emissiveTexture.index, given.emissiveTexture.texCoord, material.name, import);
     material.transparency = transparencyOf(given);
     materials.push_back(std::move(material));
   }

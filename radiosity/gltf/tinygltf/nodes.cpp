@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <glm/gtc/quaternion.hpp>
+#include <map>
 #include <numbers>
 #include <optional>
 #include <set>
@@ -19,11 +20,24 @@ namespace {
 
 // ---- Meshes --------------------------------------------------------------------------------------------------------
 
+/// The accessor of an attribute; nothing if there is none.
+std::optional<int> attributeOf(const std::map<std::string, int>& attributes, const std::string& name) {
+  const auto found = attributes.find(name);
+  return found == attributes.end() ? std::nullopt : std::optional(found->second);
+}
+
+/// Positions with the targets of morphs, each times its weight.
 std::vector<glm::dvec3> positionsOf(const tinygltf::Model& gltf, const tinygltf::Primitive& primitive,
-                                    const glm::dmat4& toWorld) {
-  const auto found = primitive.attributes.find("POSITION");
-  if (found == primitive.attributes.end()) return {};
-  const std::vector<double> values = valuesOf(gltf, found->second, TINYGLTF_TYPE_VEC3, 3);
+                                    const std::vector<double>& weights, const glm::dmat4& toWorld) {
+  const std::optional<int> accessor = attributeOf(primitive.attributes, "POSITION");
+  if (!accessor) return {};
+  std::vector<double> values = valuesOf(gltf, *accessor, TINYGLTF_TYPE_VEC3, 3);
+  for (std::size_t t = 0; t < std::min(weights.size(), primitive.targets.size()); ++t) {
+    const std::optional<int> target = attributeOf(primitive.targets[t], "POSITION");
+    if (!target || weights[t] == 0) continue;
+    const std::vector<double> moved = valuesOf(gltf, *target, TINYGLTF_TYPE_VEC3, 3, values.size() / 3);
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] += weights[t] * moved[i];
+  }
   std::vector<glm::dvec3> positions;
   for (std::size_t i = 0; i < values.size(); i += 3) {
     positions.emplace_back(toWorld * glm::dvec4(values[i], values[i + 1], values[i + 2], 1));
@@ -33,12 +47,12 @@ std::vector<glm::dvec3> positionsOf(const tinygltf::Model& gltf, const tinygltf:
   return positions;
 }
 
-std::vector<glm::dvec2> texcoordsOf(const tinygltf::Model& gltf, const tinygltf::Primitive& primitive,
+/// Of the set with a number.
+std::vector<glm::dvec2> texcoordsOf(const tinygltf::Model& gltf, const tinygltf::Primitive& primitive, int set,
                                     std::size_t vertices) {
-  const auto found = primitive.attributes.find("TEXCOORD_0");
-  if (found == primitive.attributes.end()) return {};
-  const std::vector<double> values = valuesOf(gltf, found->second, TINYGLTF_TYPE_VEC2, 2);
-  if (values.size() != 2 * vertices) throw Fault{"positions and texture coordinates differ in number", exportAgain};
+  const std::optional<int> accessor = attributeOf(primitive.attributes, "TEXCOORD_" + std::to_string(set));
+  if (!accessor) return {};
+  const std::vector<double> values = valuesOf(gltf, *accessor, TINYGLTF_TYPE_VEC2, 2, vertices);
   std::vector<glm::dvec2> texcoords;
   for (std::size_t i = 0; i < values.size(); i += 2) {
     if (!std::isfinite(values[i]) || !std::isfinite(values[i + 1]))
@@ -46,6 +60,25 @@ std::vector<glm::dvec2> texcoordsOf(const tinygltf::Model& gltf, const tinygltf:
     texcoords.emplace_back(values[i], values[i + 1]);
   }
   return texcoords;
+}
+
+/// Linear colours of three or four components, without alpha.
+std::vector<glm::dvec3> coloursOf(const tinygltf::Model& gltf, const tinygltf::Primitive& primitive,
+                                  std::size_t vertices) {
+  const std::optional<int> accessor = attributeOf(primitive.attributes, "COLOR_0");
+  if (!accessor) return {};
+  const int type = itemAt(gltf.accessors, *accessor, "accessor").type;
+  const std::size_t width = type == TINYGLTF_TYPE_VEC4 ? 4 : 3;
+  const std::vector<double> values =
+      valuesOf(gltf, *accessor, width == 4 ? type : TINYGLTF_TYPE_VEC3, static_cast<int>(width), vertices);
+  std::vector<glm::dvec3> colours;
+  for (std::size_t i = 0; i < values.size(); i += width) {
+    colours.emplace_back(values[i], values[i + 1], values[i + 2]);
+    if (!isFinite(colours.back()))
+      throw Fault{numbered("vertex", i / width) + " has a colour that is not finite", exportAgain};
+    colours.back() = glm::clamp(colours.back(), 0.0, 1.0);
+  }
+  return colours;
 }
 
 /// Empty if the normals are missing or faulty, since a scene is complete without them.
@@ -132,6 +165,7 @@ glm::dmat4 localMatrix(const tinygltf::Node& node) {
 /// number of its bytes or 0.
 std::uint64_t countOf(const tinygltf::Model& gltf, int index) try {
   const tinygltf::Accessor& accessor = itemAt(gltf.accessors, index, "accessor");
+  if (accessor.bufferView < 0 && accessor.sparse.isSparse) return accessor.count;
   return std::min<std::uint64_t>(accessor.count, bytesOf(gltf, accessor.bufferView).size);
 } catch (const Fault&) {
   return 0;
@@ -184,7 +218,7 @@ class NodeReader {
       const glm::dmat4 toWorld = parentToWorld * localMatrix(node);
       const auto number = static_cast<int>(import_.nodes.size());
       import_.nodes.push_back({node.name.empty() ? "node-" + std::to_string(index) : node.name, parent});
-      if (node.mesh >= 0) instances_.push_back({index, number, toWorld});
+      if (node.mesh >= 0) addInstances(node, {index, number, toWorld});
       if (node.camera >= 0) readCamera(node, toWorld);
       for (auto child = node.children.rbegin(); child != node.children.rend(); ++child)
         open.push_back({*child, number, toWorld});
@@ -215,6 +249,38 @@ class NodeReader {
     glm::dmat4 toWorld{1.0};
   };
 
+  /// A node with a mesh is there once, or at the places of EXT_mesh_gpu_instancing, each a node below it.
+  void addInstances(const tinygltf::Node& node, const Instance& first) {
+    const tinygltf::Value* const extension = extensionOf(node.extensions, "EXT_mesh_gpu_instancing");
+    if (extension == nullptr || !extension->IsObject() || !extension->Has("attributes")) {
+      instances_.push_back(first);
+      return;
+    }
+    const auto valuesNamed = [&](const char* name, int type, int components) {
+      const std::vector<double> accessor = numbersIn(extension->Get("attributes"), name);
+      return accessor.empty() ? std::vector<double>()
+                              : valuesOf(gltf_, static_cast<int>(accessor.front()), type, components);
+    };
+    const std::vector<double> translations = valuesNamed("TRANSLATION", TINYGLTF_TYPE_VEC3, 3),
+                              rotations = valuesNamed("ROTATION", TINYGLTF_TYPE_VEC4, 4),
+                              scales = valuesNamed("SCALE", TINYGLTF_TYPE_VEC3, 3);
+    const auto part = [](const std::vector<double>& values, std::size_t i, std::size_t width) {
+      const auto begin = values.begin() + static_cast<std::ptrdiff_t>(i * width);
+      return values.size() < (i + 1) * width ? std::vector<double>()
+                                             : std::vector<double>(begin, begin + static_cast<std::ptrdiff_t>(width));
+    };
+    const std::size_t count = std::max({translations.size() / 3, rotations.size() / 4, scales.size() / 3});
+    for (std::size_t i = 0; i < count; ++i) {
+      tinygltf::Node place;
+      place.name = node.name;
+      place.translation = part(translations, i, 3);
+      place.rotation = part(rotations, i, 4);
+      place.scale = part(scales, i, 3);
+      instances_.push_back({first.node, static_cast<int>(import_.nodes.size()), first.toWorld * localMatrix(place)});
+      import_.nodes.push_back({node.name.empty() ? "node-" + std::to_string(first.node) : node.name, first.imported});
+    }
+  }
+
   void readMesh(const Instance& instance) {
     const tinygltf::Node& node = gltf_.nodes[static_cast<std::size_t>(instance.node)];
     const tinygltf::Mesh& mesh = gltf_.meshes[static_cast<std::size_t>(node.mesh)];
@@ -224,14 +290,15 @@ class NodeReader {
     import_.nodes[static_cast<std::size_t>(instance.imported)].name = name;
     for (const tinygltf::Primitive& primitive : mesh.primitives) {
       try {
-        readPrimitive(primitive, instance);
+        readPrimitive(primitive, node.weights.empty() ? mesh.weights : node.weights, instance);
       } catch (const Fault& fault) {
         throw Fault{"the mesh of node `" + name + "`: " + fault.problem, fault.advice};
       }
     }
   }
 
-  void readPrimitive(const tinygltf::Primitive& primitive, const Instance& instance) {
+  void readPrimitive(const tinygltf::Primitive& primitive, const std::vector<double>& weights,
+                     const Instance& instance) {
     const glm::dmat4& toWorld = instance.toWorld;
     if (!isOfTriangles(primitive)) {
       ++otherPrimitives_;
@@ -243,8 +310,10 @@ class NodeReader {
       itemAt(gltf_.materials, primitive.material, "material");
       part.material = primitive.material;
     }
-    part.positions = positionsOf(gltf_, primitive, toWorld);
-    part.texcoords = texcoordsOf(gltf_, primitive, part.positions.size());
+    part.positions = positionsOf(gltf_, primitive, weights, toWorld);
+    const int set = part.material ? import_.materials[static_cast<std::size_t>(*part.material)].texcoords : 0;
+    part.texcoords = texcoordsOf(gltf_, primitive, set, part.positions.size());
+    part.colours = coloursOf(gltf_, primitive, part.positions.size());
     part.normals = normalsOf(gltf_, primitive, part.positions.size(), toWorld);
     part.corners = cornersOf(verticesOf(gltf_, primitive, part.positions.size()), primitive.mode);
     // A mirror turns clockwise triangles into counter-clockwise ones.

@@ -3,11 +3,13 @@
 #include <tiny_gltf.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <set>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -111,13 +113,21 @@ tinygltf::Model parse(const std::string& bytes, SceneFolder& folder) {
   return gltf;
 }
 
+/// The extensions that are read, or named in a warning of their own.
+constexpr std::array<std::string_view, 9> extensionsRead{
+    "KHR_mesh_quantization",   "KHR_texture_transform", "KHR_materials_emissive_strength",
+    "EXT_mesh_gpu_instancing", "EXT_texture_webp",      "KHR_materials_pbrSpecularGlossiness",
+    "KHR_lights_punctual",     "KHR_materials_unlit",   "KHR_materials_transmission"};
+
+bool isRead(const std::string& extension) {
+  return std::find(extensionsRead.begin(), extensionsRead.end(), extension) != extensionsRead.end();
+}
+
 /// Throws Fault for an extension without which the file cannot be understood.
 void checkExtensions(const tinygltf::Model& gltf) {
-  for (const std::string& name : gltf.extensionsRequired) {
-    const bool isRead = name.starts_with("KHR_materials_") || name == "KHR_mesh_quantization" ||
-                        name == "KHR_lights_punctual" || name == "KHR_texture_transform";
-    if (!isRead) throw Fault{"needs the extension " + name + ", which is not read", "export without this extension"};
-  }
+  for (const std::string& name : gltf.extensionsRequired)
+    if (!isRead(name))
+      throw Fault{"needs the extension " + name + ", which is not read", "export without this extension"};
 }
 
 void warnOfOmissions(const tinygltf::Model& gltf, GltfImport& import) {
@@ -125,11 +135,13 @@ void warnOfOmissions(const tinygltf::Model& gltf, GltfImport& import) {
     import.warnings.push_back("point, spot and directional lights are left out (" + std::to_string(gltf.lights.size()) +
                               "); light comes from emissive materials");
   if (!gltf.skins.empty() || !gltf.animations.empty()) import.warnings.push_back("skins and animations are left out");
+  std::string others;
   for (const std::string& name : gltf.extensionsUsed) {
-    if (name == "KHR_texture_transform") import.warnings.push_back("transforms of textures are left out");
     if (name == "KHR_materials_unlit")
       import.warnings.push_back("unlit materials are read as lit ones; their base colour is the reflectance");
+    if (!isRead(name)) others += (others.empty() ? "" : ", ") + name;
   }
+  if (!others.empty()) import.warnings.push_back("extensions that are not read are left out: " + others);
 }
 
 ImportProblem read(const std::string& bytes, const std::string& folder, const ImportBudget& budget,

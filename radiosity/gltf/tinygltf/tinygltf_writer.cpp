@@ -2,6 +2,8 @@
 #include <tiny_gltf.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <span>
@@ -71,6 +73,25 @@ int appendCorners(tinygltf::Model& gltf, const std::vector<std::uint32_t>& corne
   return appendAccessor(gltf, view, TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT, TINYGLTF_TYPE_SCALAR, corners.size());
 }
 
+int modeOf(Wrap wrap) {
+  return wrap == Wrap::Clamp    ? TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE
+         : wrap == Wrap::Mirror ? TINYGLTF_TEXTURE_WRAP_MIRRORED_REPEAT
+                                : TINYGLTF_TEXTURE_WRAP_REPEAT;
+}
+
+/// The index of a sampler with these modes.
+int appendSampler(tinygltf::Model& gltf, const std::array<Wrap, 2>& wrap) {
+  tinygltf::Sampler sampler;
+  sampler.magFilter = TINYGLTF_TEXTURE_FILTER_LINEAR;
+  sampler.minFilter = TINYGLTF_TEXTURE_FILTER_LINEAR_MIPMAP_LINEAR;
+  sampler.wrapS = modeOf(wrap[0]);
+  sampler.wrapT = modeOf(wrap[1]);
+  const auto known = std::find(gltf.samplers.begin(), gltf.samplers.end(), sampler);
+  const auto index = static_cast<int>(known - gltf.samplers.begin());
+  if (known == gltf.samplers.end()) gltf.samplers.push_back(std::move(sampler));
+  return index;
+}
+
 void appendTexture(tinygltf::Model& gltf, const GltfTexture& texture) {
   tinygltf::Image image;
   image.name = validUtf8(texture.name);
@@ -79,7 +100,7 @@ void appendTexture(tinygltf::Model& gltf, const GltfTexture& texture) {
   gltf.images.push_back(std::move(image));
   tinygltf::Texture sampled;
   sampled.source = last(gltf.images);
-  sampled.sampler = texture.repeats ? 1 : 0;
+  sampled.sampler = appendSampler(gltf, texture.sampler.wrap);
   gltf.textures.push_back(std::move(sampled));
 }
 
@@ -95,28 +116,49 @@ tinygltf::Value extrasOf(const GltfLightMap& map) {
   return tinygltf::Value(std::move(extras));
 }
 
+/// The use of a texture, if there is one, with KHR_texture_transform where its place is not that of the coordinates.
+tinygltf::TextureInfo useOf(const std::optional<int>& texture, const std::vector<GltfTexture>& textures) {
+  tinygltf::TextureInfo info;
+  if (!texture) return info;
+  info.index = *texture;
+  const glm::dmat3x2& place = textures[static_cast<std::size_t>(*texture)].sampler.place;
+  if (place == Sampler().place) return info;
+  // With v from the top: u and v are the columns of a scale and a turn.
+  const glm::dvec2 u(place[0].x, -place[0].y), v(-place[1].x, place[1].y);
+  const double scale = glm::length(u), angle = std::atan2(-u.y, u.x);
+  const auto pair = [](double x, double y) {
+    return tinygltf::Value(tinygltf::Value::Array{tinygltf::Value(x), tinygltf::Value(y)});
+  };
+  tinygltf::Value::Object transform;
+  transform["scale"] = pair(scale, std::sin(angle) * v.x + std::cos(angle) * v.y);
+  transform["offset"] = pair(place[2].x - v.x, 1 - place[2].y - v.y);
+  if (angle != 0) transform["rotation"] = tinygltf::Value(angle);
+  info.extensions["KHR_texture_transform"] = tinygltf::Value(std::move(transform));
+  return info;
+}
+
 /// Factors of emission are at most 1; a strength holds the rest.
-void setEmission(const GltfMaterial& material, tinygltf::Material& written) {
+void setEmission(const GltfMaterial& material, const std::vector<GltfTexture>& textures, tinygltf::Material& written) {
   const double strength = std::max({1.0, material.emission.x, material.emission.y, material.emission.z});
   written.emissiveFactor = numbersOf(material.emission / strength);
-  written.emissiveTexture.index = material.emissionTexture.value_or(-1);
+  written.emissiveTexture = useOf(material.emissionTexture, textures);
   if (strength == 1) return;
   tinygltf::Value::Object extension;
   extension["emissiveStrength"] = tinygltf::Value(strength);
   written.extensions["KHR_materials_emissive_strength"] = tinygltf::Value(std::move(extension));
 }
 
-tinygltf::Material materialOf(const GltfMaterial& material) {
+tinygltf::Material materialOf(const GltfMaterial& material, const std::vector<GltfTexture>& textures) {
   tinygltf::Material written;
   written.name = validUtf8(material.name);
   written.pbrMetallicRoughness.metallicFactor = 0;  // also for viewers that do not know unlit materials
-  written.pbrMetallicRoughness.baseColorTexture.index = material.texture.value_or(-1);
+  written.pbrMetallicRoughness.baseColorTexture = useOf(material.texture, textures);
   if (!material.lightMap) {
     written.extensions["KHR_materials_unlit"] = tinygltf::Value(tinygltf::Value::Object());
     return written;
   }
   written.pbrMetallicRoughness.baseColorFactor = {material.colour.x, material.colour.y, material.colour.z, 1};
-  setEmission(material, written);
+  setEmission(material, textures, written);
   written.extras = extrasOf(*material.lightMap);
   return written;
 }
@@ -125,7 +167,10 @@ tinygltf::Material materialOf(const GltfMaterial& material) {
 std::vector<std::string> extensionsOf(const std::vector<tinygltf::Material>& materials) {
   std::set<std::string> names;
   for (const tinygltf::Material& material : materials)
-    for (const auto& [name, value] : material.extensions) names.insert(name);
+    for (const tinygltf::ExtensionMap& extensions :
+         {material.extensions, material.pbrMetallicRoughness.baseColorTexture.extensions,
+          material.emissiveTexture.extensions})
+      for (const auto& [name, value] : extensions) names.insert(name);
   return {names.begin(), names.end()};
 }
 
@@ -133,6 +178,7 @@ tinygltf::Primitive appendPrimitive(tinygltf::Model& gltf, const GltfPrimitive& 
   tinygltf::Primitive primitive;
   primitive.attributes["POSITION"] = appendPositions(gltf, given.positions);
   primitive.attributes["TEXCOORD_0"] = appendAttribute(gltf, given.texcoords);
+  if (!given.colours.empty()) primitive.attributes["COLOR_0"] = appendAttribute(gltf, given.colours);
   if (!given.lightMapCoords.empty()) primitive.attributes["TEXCOORD_1"] = appendAttribute(gltf, given.lightMapCoords);
   primitive.indices = appendCorners(gltf, given.corners);
   primitive.material = given.material;
@@ -207,14 +253,6 @@ void appendRoot(tinygltf::Model& gltf, const glm::dmat4& matrix) {
   gltf.scenes.front().nodes = {last(gltf.nodes)};
 }
 
-tinygltf::Sampler linearSampler(int wrap) {
-  tinygltf::Sampler sampler;
-  sampler.magFilter = TINYGLTF_TEXTURE_FILTER_LINEAR;
-  sampler.minFilter = TINYGLTF_TEXTURE_FILTER_LINEAR_MIPMAP_LINEAR;
-  sampler.wrapS = sampler.wrapT = wrap;
-  return sampler;
-}
-
 /// Frees the parts of the model as it goes, because tinygltf needs a second copy of the buffer.
 void write(GltfModel model, std::ostream& stream) {
   tinygltf::Model gltf;
@@ -223,14 +261,11 @@ void write(GltfModel model, std::ostream& stream) {
   gltf.buffers.emplace_back();
   gltf.scenes.emplace_back();
   gltf.defaultScene = 0;
-  gltf.samplers = {linearSampler(TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE)};
-  if (std::any_of(model.textures.begin(), model.textures.end(), [](const GltfTexture& t) { return t.repeats; }))
-    gltf.samplers.push_back(linearSampler(TINYGLTF_TEXTURE_WRAP_REPEAT));
+  for (const GltfMaterial& material : model.materials) gltf.materials.push_back(materialOf(material, model.textures));
   for (GltfTexture& texture : model.textures) {
     appendTexture(gltf, texture);
     texture = {};
   }
-  for (const GltfMaterial& material : model.materials) gltf.materials.push_back(materialOf(material));
   gltf.extensionsUsed = extensionsOf(gltf.materials);
   appendObjects(gltf, model);
   appendCamera(gltf, model.camera);

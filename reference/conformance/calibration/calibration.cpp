@@ -31,9 +31,10 @@ struct Snapping {
   SnapRounding rounding;
 };
 
-/// How often the answers contradict a snapping. On edges the top-left rule is expected, but any answer is allowed.
+/// How many probes are for a snapping, and how often their answers contradict it. On edges the top-left rule is
+/// expected, but any answer is allowed.
 struct Contradictions {
-  int sure = 0, onEdges = 0;
+  int sure = 0, onEdges = 0, probes = 0;
 };
 
 /// Whether rows are in reverse order, once or twice. A device that draws the picture upside down and reverses its rows
@@ -61,6 +62,7 @@ Contradictions contradictionsOf(const ProbingSet& probes, std::span<const ItemBu
       const CoverageProbe& shown = probes.coverage[s].pixels[order.isReversed ? opposite(pixel, answers[s]) : pixel];
       const CoverageProbe probe = order.isUpsideDown ? upsideDown(shown) : shown;
       if (!probe.bits.contains(snapping.bits)) continue;
+      ++contradictions.probes;
       const Coverage expected = coverageOf(probe, snapping.bits, snapping.rounding);
       const bool isCovered = expected == Coverage::Inside || expected == Coverage::OnIncludedEdge;
       const bool isSure = expected == Coverage::Inside || expected == Coverage::Outside;
@@ -72,7 +74,7 @@ Contradictions contradictionsOf(const ProbingSet& probes, std::span<const ItemBu
   return contradictions;
 }
 
-/// The snapping with the fewest contradictions.
+/// A snapping and its contradictions.
 struct CoverageFit {
   Snapping snapping{};
   Contradictions contradictions;
@@ -80,18 +82,25 @@ struct CoverageFit {
   bool fitsAll() const { return contradictions.sure == 0 && contradictions.onEdges == 0; }
 };
 
-CoverageFit fitCoverage(const ProbingSet& probes, std::span<const ItemBuffer> answers, const RowOrder& order) {
-  std::optional<CoverageFit> best;
+std::vector<CoverageFit> coverageFits(const ProbingSet& probes, std::span<const ItemBuffer> answers,
+                                      const RowOrder& order) {
+  std::vector<CoverageFit> fits;
   const auto consider = [&](const Snapping& snapping) {
     const auto isFor = [&](const auto& sheet) { return sheet.pixels.front().bits.contains(snapping.bits); };
-    if (std::none_of(probes.coverage.begin(), probes.coverage.end(), isFor)) return;
-    const Contradictions contradictions = contradictionsOf(probes, answers, snapping, order);
-    if (!best || contradictions.sure < best->contradictions.sure) best = {snapping, contradictions};
+    if (std::any_of(probes.coverage.begin(), probes.coverage.end(), isFor))
+      fits.push_back({snapping, contradictionsOf(probes, answers, snapping, order)});
   };
   for (int bits = 4; bits <= maxSubpixelBits; ++bits)
     for (const SnapRounding rounding : {SnapRounding::Nearest, SnapRounding::Truncate}) consider({bits, rounding});
   consider({exactBits, SnapRounding::None});
-  return *best;
+  return fits;
+}
+
+CoverageFit fitCoverage(const ProbingSet& probes, std::span<const ItemBuffer> answers, const RowOrder& order) {
+  const std::vector<CoverageFit> fits = coverageFits(probes, answers, order);
+  return *std::min_element(fits.begin(), fits.end(), [](const CoverageFit& a, const CoverageFit& b) {
+    return a.contradictions.sure < b.contradictions.sure;
+  });
 }
 
 /// How two triangles cover the samples on an edge that they share.
@@ -247,12 +256,19 @@ void calibrateDepths(const ProbingSet& probes, std::span<const ItemBuffer> answe
 
 }  // namespace
 
+std::vector<SnappingFit> snappingFits(const ProbingSet& probes, std::span<const ItemBuffer> answers) {
+  std::vector<SnappingFit> fits;
+  for (const auto& [snapping, contradictions] : coverageFits(probes, answers, {}))
+    fits.push_back({snapping.bits, snapping.rounding, contradictions.probes, contradictions.sure});
+  return fits;
+}
+
 Coverage coverageOf(const CoverageProbe& probe, int subpixelBits, SnapRounding rounding) {
   const std::int64_t step = pixelUnits >> subpixelBits;
   std::array<raster::SnappedPoint, 3> corners;
   for (std::size_t k = 0; k < 3; ++k)
     corners[k] = {snapTo(probe.corners[k].x, step, rounding), snapTo(probe.corners[k].y, step, rounding)};
-  const raster::SnappedTriangle triangle = raster::snappedTriangle({}, {}, corners);
+  const raster::SnappedTriangle triangle = raster::snappedTriangle({}, {}, {}, corners);
   if (triangle.area == 0) return Coverage::Outside;
   const raster::Weights weights = weightsAt(triangle, {0, 0});
   Coverage coverage = Coverage::Inside;
@@ -272,7 +288,7 @@ Calibration calibrate(const ProbingSet& probes, std::span<const ItemBuffer> answ
   };
   const auto coverage = next(probes.coverage.size()), edges = next(probes.sharedEdges.size()),
              texels = next(probes.texels.size() + probes.interpolation.size()), depths = next(probes.depths.size());
-  assert(answers.empty());
+  assert(answers.size() == probes.clipping.size());
   Calibration calibration;
   if (!calibrateCoverage(probes, coverage, edges, calibration)) return calibration;
   calibrateTexels(probes, texels, calibration);

@@ -32,7 +32,18 @@ struct Calibration {
   std::vector<std::string> faults;  ///< answers that no profile explains, one line each
 };
 
-/// `answers` holds one item buffer per vector of vectorsOf(probes), in their order and of their size.
+/// A snapping, and how many probes it is for and how many of these contradict it.
+struct SnappingFit {
+  int bits;  ///< exactBits with SnapRounding::None
+  SnapRounding rounding;
+  int probes, contradictions;
+};
+
+/// All snappings that `calibrate` considers, from the answers to the probes of coverage.
+std::vector<SnappingFit> snappingFits(const ProbingSet& probes, std::span<const raster::ItemBuffer> answers);
+
+/// `answers` holds one item buffer per vector of vectorsOf(probes), in their order and of their size. Those of clipping
+/// are ignored.
 Calibration calibrate(const ProbingSet& probes, std::span<const raster::ItemBuffer> answers);
 
 /// Whether a device with a given snapping covers the sample of a probe.

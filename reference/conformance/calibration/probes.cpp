@@ -4,6 +4,7 @@
 #include <cmath>
 #include <random>
 #include <string>
+#include <utility>
 
 #include "reference/conformance/suite/vector_suite.h"
 #include "reference/conformance/vectors/draw_list_builder.h"
@@ -361,6 +362,11 @@ ProbingSet makeProbes() {
       productSheet(1000),
   };
   probes.depths = {formatSteps(), fineSteps()};
+  for (TestVector& vector : coverageVectors())
+    if (vector.name == "edges-beyond-the-view" || vector.name == "near-plane-sheet") {
+      vector.name = "clipping-" + vector.name;
+      probes.clipping.push_back(std::move(vector));
+    }
   return probes;
 }
 
@@ -371,6 +377,7 @@ std::vector<TestVector> vectorsOf(const ProbingSet& probes) {
   for (const auto& sheet : probes.texels) vectors.push_back(sheet.vector);
   for (const auto& sheet : probes.interpolation) vectors.push_back(sheet.vector);
   for (const auto& sheet : probes.depths) vectors.push_back(sheet.vector);
+  vectors.insert(vectors.end(), probes.clipping.begin(), probes.clipping.end());
   return vectors;
 }
 

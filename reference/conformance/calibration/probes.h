@@ -71,12 +71,15 @@ struct ProbingSet {
   std::vector<ProbeSheet<TexelProbe>> texels;         ///< roundings are small: they show errors of any other kind
   std::vector<ProbeSheet<TexelProbe>> interpolation;  ///< distances are some roundings, also of the product u N
   std::vector<ProbeSheet<DepthProbe>> depths;
+  /// Triangles that reach beyond the view, and behind the near plane. Their answers show at which planes a device
+  /// clips, but no profile follows from them.
+  std::vector<TestVector> clipping;
 };
 
 /// Makes the same probes on all machines.
 ProbingSet makeProbes();
 
-/// All vectors of the set: those of coverage, shared edges, texels, interpolation and depths, in this order.
+/// All vectors of the set: those of coverage, shared edges, texels, interpolation, depths and clipping, in this order.
 std::vector<TestVector> vectorsOf(const ProbingSet& probes);
 
 }  // namespace hemitex::reference

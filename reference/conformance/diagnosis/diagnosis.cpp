@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <set>
 
 #include "raster/base/parallel.h"
+#include "reference/conformance/diagnosis/device_pair.h"
 #include "reference/conformance/diagnosis/fault.h"
 
 namespace hemitex::reference {
@@ -81,49 +84,68 @@ void count(const Case& given, const Variant& variant, std::size_t pixel, ItemId 
   if (isError) agreement.errors = {agreement.errors.pixels + 1, agreement.errors.agreeing + agrees};
 }
 
-/// A variant, and its item IDs if it has enough agreement.
-struct Suspect {
-  const Fault* fault;
-  const Variant* variant;
+/// How a device that explains the errors agrees with the found item IDs. Without item IDs it does not explain them.
+struct Match {
   double agreement = 0;
   std::uint64_t agreeing = 0;  ///< pixels
-  std::uint64_t exact = 0;     ///< pixels of all faces that hold the variant's item ID
+  std::uint64_t exact = 0;     ///< pixels of all faces that hold the device's item ID
   ItemIds ids = {};
 };
 
-/// Draws a variant while it may still explain the errors. Most variants are rejected after a few rows.
-void compare(const Case& given, const Agreement& undrawn, Suspect& suspect) {
+/// Draws some rows at a time while the function that it gets returns true.
+using Drawing = std::function<void(const std::function<bool(const raster::ItemBuffer&)>&)>;
+
+/// Draws while the variant may still explain the errors. Most variants are rejected after a few rows.
+Match compare(const Case& given, const Agreement& undrawn, const Variant& variant, const Drawing& draw) {
   Agreement agreement = undrawn;
   ItemIds ids;
-  drawOn(suspect.variant->device, given.placed, [&](const raster::ItemBuffer& part) {
+  draw([&](const raster::ItemBuffer& part) {
     for (const ItemId id : part.ids) {
-      count(given, *suspect.variant, ids.size(), id, agreement);
+      count(given, variant, ids.size(), id, agreement);
       ids.push_back(id);
     }
-    return agreement.mayExplain(*suspect.variant);
+    return agreement.mayExplain(variant);
   });
-  if (agreement.mayExplain(*suspect.variant))
-    suspect = {suspect.fault,          suspect.variant, agreement.all.with(0),
-               agreement.all.agreeing, agreement.exact, std::move(ids)};
+  if (!agreement.mayExplain(variant)) return {};
+  return {agreement.all.with(0), agreement.all.agreeing, agreement.exact, std::move(ids)};
 }
 
-std::vector<Suspect> suspectsOf(const Case& given, const std::vector<Fault>& faults) {
-  std::vector<Suspect> suspects;
-  for (const Fault& fault : faults)
-    for (const Variant& variant : fault.variants) suspects.push_back({&fault, &variant});
+Match compare(const Case& given, const Agreement& undrawn, const Variant& variant) {
+  return compare(given, undrawn, variant,
+                 [&](const auto& wantsMore) { drawOn(variant.device, given.placed, wantsMore); });
+}
+
+/// The agreement before anything is drawn.
+Agreement undrawnOf(const Case& given) {
   Agreement undrawn;
   for (std::size_t pixel = 0; pixel < given.found.size(); ++pixel) {
     undrawn.remaining += given.mayAgree(pixel);
     undrawn.remainingErrors += given.isError[pixel];
   }
-  raster::parallelFor(suspects.size(), [&](std::size_t k) { compare(given, undrawn, suspects[k]); });
-  std::erase_if(suspects, [](const Suspect& suspect) { return suspect.ids.empty(); });
+  return undrawn;
+}
+
+/// A variant, and how it agrees.
+struct Suspect {
+  const Fault* fault;
+  const Variant* variant;
+  Match match = {};
+};
+
+std::vector<Suspect> suspectsOf(const Case& given, const std::vector<Fault>& faults) {
+  std::vector<Suspect> suspects;
+  for (const Fault& fault : faults)
+    for (const Variant& variant : fault.variants) suspects.push_back({&fault, &variant});
+  const Agreement undrawn = undrawnOf(given);
+  raster::parallelFor(suspects.size(),
+                      [&](std::size_t k) { suspects[k].match = compare(given, undrawn, *suspects[k].variant); });
+  std::erase_if(suspects, [](const Suspect& suspect) { return suspect.match.ids.empty(); });
   return suspects;
 }
 
 /// Whether the vector cannot distinguish `best` and `other`. Of the pixels that hold the item ID of only one of them,
 /// those of `best` outnumber the others by at most two standard deviations of a fair coin.
-bool areIndistinct(const Case& given, const Suspect& best, const Suspect& other) {
+bool areIndistinct(const Case& given, const Match& best, const Match& other) {
   std::uint64_t onlyBest = 0, onlyOther = 0;
   for (std::size_t p = 0; p < given.found.size(); ++p) {
     const bool isBest = best.ids[p] == given.found[p], isOther = other.ids[p] == given.found[p];
@@ -134,15 +156,136 @@ bool areIndistinct(const Case& given, const Suspect& best, const Suspect& other)
   return lead * lead <= 4 * static_cast<double>(onlyBest + onlyOther);
 }
 
+// --- two faults at once ---
+
+/// A variant with an effect on the vector, and its item buffers.
+struct Effect {
+  const Fault* fault;
+  const Variant* variant;
+  std::vector<raster::ItemBuffer> buffers = {};
+};
+
+std::vector<raster::ItemBuffer> drawAll(const StagedDevice& device, const PlacedVector& placed) {
+  std::vector<raster::ItemBuffer> buffers;
+  for (const raster::Face& face : placed.faces) buffers.emplace_back().resize(face.scissor);
+  std::size_t f = 0, pixel = 0;
+  drawOn(device, placed, [&](const raster::ItemBuffer& part) {
+    std::copy(part.ids.begin(), part.ids.end(), buffers[f].ids.begin() + static_cast<std::ptrdiff_t>(pixel));
+    pixel += part.ids.size();
+    if (pixel == buffers[f].ids.size()) pixel = 0, ++f;
+    return true;
+  });
+  return buffers;
+}
+
+bool areEqual(const std::vector<raster::ItemBuffer>& a, const std::vector<raster::ItemBuffer>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](const raster::ItemBuffer& x, const raster::ItemBuffer& y) { return x.ids == y.ids; });
+}
+
+/// The variants that change the vector, each change of a fault once.
+std::vector<Effect> effectsOf(const Case& given, const std::vector<Fault>& faults) {
+  std::vector<Effect> all, different;
+  for (const Fault& fault : faults)
+    for (const Variant& variant : fault.variants)
+      if (!variant.isPartial) all.push_back({&fault, &variant});
+  raster::parallelFor(all.size(),
+                      [&](std::size_t k) { all[k].buffers = drawAll(all[k].variant->device, given.placed); });
+  for (Effect& effect : all) {
+    const auto isSame = [&](const Effect& other) {
+      return other.fault == effect.fault && areEqual(other.buffers, effect.buffers);
+    };
+    if (!areEqual(effect.buffers, given.placed.buffers) && std::none_of(different.begin(), different.end(), isSame))
+      different.push_back(std::move(effect));
+  }
+  return different;
+}
+
+/// How two faults agree, the change of the first one before that of the second.
+Match compare(const Case& given, const Agreement& undrawn, const Effect& first, const Effect& second) {
+  Variant both{{}, {}, first.variant->rounded.empty() ? second.variant->rounded : first.variant->rounded};
+  if (second.variant->device.isDrawnByRules)
+    return compare(given, undrawn, both, [&](const auto& wantsMore) {
+      for (std::size_t f = 0; f < first.buffers.size(); ++f) {
+        raster::ItemBuffer buffer = first.buffers[f];
+        second.variant->device.readBack(given.placed.faces[f], buffer);
+        if (!wantsMore(buffer)) return;
+      }
+    });
+  const std::optional<StagedDevice> device = pairOf(first.variant->device, second.variant->device);
+  if (!device) return {};
+  both.device = *device;
+  return compare(given, undrawn, both);
+}
+
+/// Whether the order of the two changes matters.
+bool areInTurn(const StagedDevice& a, const StagedDevice& b) {
+  return (a.upload && b.upload) || (a.camera && b.camera) || (a.readBack && b.readBack);
+}
+
+struct PairSuspect {
+  const Effect *first, *second;
+  Match match;
+};
+
+/// All pairs of two faults that explain the errors.
+std::vector<PairSuspect> pairSuspectsOf(const Case& given, const std::vector<Effect>& effects) {
+  const Agreement undrawn = undrawnOf(given);
+  std::vector<std::vector<PairSuspect>> perEffect(effects.size());
+  raster::parallelFor(effects.size(), [&](std::size_t k) {
+    for (const Effect& other : effects) {
+      const Effect& effect = effects[k];
+      const bool isReadBack = effect.variant->device.isDrawnByRules;
+      const bool otherIsReadBack = other.variant->device.isDrawnByRules;
+      // A change of what is read back comes second; of two in either order both are tried, of all others one.
+      if (effect.fault == other.fault || (isReadBack && !otherIsReadBack)) continue;
+      if (!otherIsReadBack && !areInTurn(effect.variant->device, other.variant->device) && &other > &effect) continue;
+      Match match = compare(given, undrawn, effect, other);
+      if (match.agreeing >= minPixels) perEffect[k].push_back({&effect, &other, std::move(match)});
+    }
+  });
+  std::vector<PairSuspect> all;
+  for (std::vector<PairSuspect>& some : perEffect)
+    for (PairSuspect& suspect : some) all.push_back(std::move(suspect));
+  return all;
+}
+
 }  // namespace
+
+std::vector<PairFinding> diagnosePairs(const TestVector& vector, const Verdict& verdict,
+                                       std::span<const std::string> names) {
+  if (!hasErrors(verdict)) return {};
+  const Case given = makeCase(vector, verdict);
+  std::vector<Fault> faults = knownFaults(vector);
+  const auto isUnnamed = [&](const Fault& fault) {
+    return std::find(names.begin(), names.end(), fault.name) == names.end();
+  };
+  if (!names.empty()) std::erase_if(faults, isUnnamed);
+  const std::vector<Effect> effects = effectsOf(given, faults);
+  std::vector<PairSuspect> suspects = pairSuspectsOf(given, effects);
+  std::stable_sort(suspects.begin(), suspects.end(),
+                   [](const PairSuspect& a, const PairSuspect& b) { return a.match.exact > b.match.exact; });
+  std::vector<PairFinding> findings;
+  std::set<std::set<std::string>> named;
+  const auto findingOf = [](const Effect& effect, const Match& match) {
+    return Finding{effect.fault->name, effect.variant->name, match.agreement, effect.fault->advice};
+  };
+  for (const PairSuspect& suspect : suspects) {
+    if (!areIndistinct(given, suspects.front().match, suspect.match) && !findings.empty()) continue;
+    if (!named.insert({suspect.first->fault->name, suspect.second->fault->name}).second) continue;
+    findings.push_back({findingOf(*suspect.first, suspect.match), findingOf(*suspect.second, suspect.match)});
+  }
+  return findings;
+}
 
 Diagnosis diagnoseAll(const TestVector& vector, const Verdict& verdict) {
   if (!hasErrors(verdict)) return {};
-  const std::vector<Fault> faults = knownFaults(vector);
   const Case given = makeCase(vector, verdict);
+  std::vector<Fault> faults = knownFaults(vector);
+  faults.push_back(fogLike(given.placed, given.found));
   std::vector<Suspect> suspects = suspectsOf(given, faults);
   std::stable_sort(suspects.begin(), suspects.end(),
-                   [](const Suspect& a, const Suspect& b) { return a.exact > b.exact; });
+                   [](const Suspect& a, const Suspect& b) { return a.match.exact > b.match.exact; });
   Diagnosis diagnosis;
   std::vector<const Fault*> named;
   const Suspect* best = nullptr;
@@ -150,12 +293,13 @@ Diagnosis diagnoseAll(const TestVector& vector, const Verdict& verdict) {
     if (std::find(diagnosis.explaining.begin(), diagnosis.explaining.end(), suspect.fault->name) ==
         diagnosis.explaining.end())
       diagnosis.explaining.push_back(suspect.fault->name);
-    if (suspect.agreeing < minPixels || std::find(named.begin(), named.end(), suspect.fault) != named.end()) continue;
+    if (suspect.match.agreeing < minPixels || std::find(named.begin(), named.end(), suspect.fault) != named.end())
+      continue;
     if (!best) best = &suspect;
-    if (!areIndistinct(given, *best, suspect) && best != &suspect) continue;
+    if (!areIndistinct(given, best->match, suspect.match) && best != &suspect) continue;
     named.push_back(suspect.fault);
     diagnosis.findings.push_back(
-        {suspect.fault->name, suspect.variant->name, suspect.agreement, suspect.fault->advice});
+        {suspect.fault->name, suspect.variant->name, suspect.match.agreement, suspect.fault->advice});
   }
   return diagnosis;
 }

@@ -7,6 +7,8 @@
 /// this agreement, and that on the error pixels alone, is at least 0.9.
 #pragma once
 
+#include <array>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -36,6 +38,15 @@ Diagnosis diagnoseAll(const TestVector& vector, const Verdict& verdict);
 
 /// The findings alone.
 std::vector<Finding> diagnose(const TestVector& vector, const Verdict& verdict);
+
+/// Two different faults, the change of the first one before that of the second.
+using PairFinding = std::array<Finding, 2>;
+
+/// The pairs of known faults that explain the errors together on at least eight pixels: the one with the most equal
+/// item IDs, and those that the vector cannot distinguish from it. With `names` only pairs of these faults. Agreements
+/// are those of the pair. Its cost is that of all pairs of variants, most of which are rejected after some rows.
+std::vector<PairFinding> diagnosePairs(const TestVector& vector, const Verdict& verdict,
+                                       std::span<const std::string> names = {});
 
 /// "linear filtering (99.8 % agreement): set both filters ..."; several are joined with "either" and "or".
 std::string toText(const std::vector<Finding>& findings);

@@ -5,6 +5,7 @@
 /// fault has a *variant* for each common case.
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,9 @@ struct Fault {
 /// All known faults, in a fixed order, with the variants that the vector's faces and item ID format allow.
 std::vector<Fault> knownFaults(const TestVector& vector);
 
+/// Front and back exchanged where the determinant of the view is negative.
+Variant turnedInMirroredViews(const std::string& name);
+
 /// The known faults by stage, one source file each.
 std::vector<Fault> viewFaults(const TestVector& vector);      ///< flipped, exchanged, rotated, moved views and pictures
 std::vector<Fault> geometryFaults(const TestVector& vector);  ///< indices, transformation, clipping, snapping
@@ -37,5 +41,10 @@ std::vector<Fault> sampleFaults(const TestVector& vector);    ///< facing, cover
 std::vector<Fault> textureFaults(const TestVector& vector);   ///< lookups in index maps
 std::vector<Fault> blendFaults(const TestVector& vector);     ///< offsets, and their blends with texels and the target
 std::vector<Fault> memoryFaults(const TestVector& vector);    ///< channels, bytes, bits, rows and colours in memory
+std::vector<Fault> drawFaults(const TestVector& vector);      ///< states of draws, and what happens to their item IDs
+std::vector<Fault> assemblyFaults(const TestVector& vector);  ///< of what version 2 adds
+
+/// Fog whose density is that of the item IDs of a device, one per pixel of all faces: none is known beforehand.
+Fault fogLike(const PlacedVector& placed, std::span<const raster::ItemId> found);
 
 }  // namespace hemitex::reference

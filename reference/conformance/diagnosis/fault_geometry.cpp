@@ -1,6 +1,7 @@
 /// Faults of indices, the vertex transformation, clipping and snapping.
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "reference/conformance/diagnosis/fault.h"
 
@@ -21,7 +22,7 @@ raster::ClippedPolygon clippedAtSides(double size, raster::ClippedPolygon polygo
     }
   };
   stretch(scale);
-  for (const raster::ClipPlane plane : raster::clipPlanes)
+  for (const raster::ClipPlane plane : raster::clipPlanes(raster::ClipDepth::None))
     if (plane != raster::ClipPlane::Near) polygon = raster::clip(polygon, plane, 0);
   stretch(1 / scale);
   return polygon;
@@ -137,6 +138,27 @@ Variant withNearPlaneAt(const std::string& name, double distances) {
   });
 }
 
+/// Clips at w = distance as well.
+std::vector<Variant> farPlanes() {
+  std::vector<Variant> variants;
+  for (const bool isRelative : {false, true})
+    for (const double distance : {10.0, 100.0, 1000.0}) {
+      const auto clip = [=](const std::array<ViewVertex, 3>& triangle, double nearDistance) {
+        const double far = isRelative ? distance * nearDistance : distance;
+        std::vector<ClipVertex> inside;
+        for (const ViewVertex& v : raster::clip(triangle, nearDistance))
+          inside.push_back({{v.x, v.y, far, v.w}, {v.u, v.v}});
+        raster::ClippedPolygon clipped;
+        for (const ClipVertex& v : clipAt({0, 0, 1, -1}, inside))
+          clipped.add({v.position.x, v.position.y, v.position.w, v.texcoord.x, v.texcoord.y});
+        return clipped;
+      };
+      const std::string name = "at " + std::to_string(static_cast<int>(distance));
+      variants.push_back(withClip(name + (isRelative ? " near distances" : ""), clip));
+    }
+  return variants;
+}
+
 /// Triangles that cross the near plane are left out.
 Variant withoutCutTriangles() {
   return withClip("triangles that cross the near plane left out",
@@ -173,6 +195,8 @@ std::vector<Fault> geometryFaults(const TestVector&) {
        {withSidesAt("at the sides of the view", 1), withSidesAt("at twice the view", 2),
         withNearPlaneAt("near plane at half the distance", 0.5), withNearPlaneAt("near plane at twice the distance", 2),
         withNearPlaneAt("no near plane", 0x1p-10), withoutCutTriangles()}},
+      {"far plane", "item buffers have no far plane: choose z so that z/w stays in its range at any distance",
+       farPlanes()},
       {"vertices snapped to fewer bits",
        "hardware with fewer sub-pixel bits is right: measure its profile; otherwise look for rounded positions",
        coarseGrids()}};

@@ -103,6 +103,15 @@ std::vector<Variant> conservativeRules() {
           {"borders included", withStage(&StagedDevice::widening, std::int64_t{128})}};
 }
 
+/// In clip space a mirrored view is one with rows upwards, which has a fault of its own (fault_assembly.cpp).
+std::vector<Variant> exchangedSides(const raster::DrawList& list) {
+  std::vector<Variant> variants{{"", withFacing(otherSide)},
+                                {"all taken as fronts", withFacing([](Facing) { return Facing::Front; })},
+                                {"all taken as backs", withFacing([](Facing) { return Facing::Back; })}};
+  if (list.clipDepth == raster::ClipDepth::None) variants.push_back(turnedInMirroredViews("in mirrored views"));
+  return variants;
+}
+
 // --- depth ---
 
 std::vector<Variant> depthBiases() {
@@ -113,14 +122,16 @@ std::vector<Variant> depthBiases() {
 }
 
 /// 1 - n/w in 16 bits, cleared to the largest depth.
-std::vector<Variant> sixteenBits() {
+std::vector<Variant> sixteenBits(const raster::DrawList& list) {
   std::vector<Variant> variants;
   for (const double rounding : {0.5, 0.0}) {
-    const auto depth = [=](double inverseW, double nearDistance) {
-      return std::floor((1 - nearDistance * inverseW) * 0xffff + rounding);
+    const auto depth = [=, clip = raster::depthRuleOf(list, {}), isScene = list.clipDepth == raster::ClipDepth::None](
+                           double nearness, double nearDistance) {
+      const double d = isScene ? 1 - nearDistance * nearness : clip.offset - clip.scale * nearness;
+      return std::floor(d * 0xffff + rounding);
     };
     StagedDevice device = withStage(&StagedDevice::depth, depth);
-    device.clearedDepth = 0xffff;
+    device.clearedDepth = list.depthTest >= raster::DepthTest::Farther ? 0 : 0xffff;
     variants.push_back({rounding > 0 ? "rounded to nearest" : "truncated", device});
   }
   return variants;
@@ -136,9 +147,6 @@ StagedDevice withDepthKept() {
 }  // namespace
 
 std::vector<Fault> sampleFaults(const TestVector& vector) {
-  const auto turnedInMirroredViews = [](Facing side, const raster::Face& view) {
-    return raster::determinant(view) < 0 ? otherSide(side) : side;
-  };
   const auto culled = [](Facing side) {
     return withFacing([=](Facing facing) { return facing == side ? Facing::Culled : facing; });
   };
@@ -147,12 +155,8 @@ std::vector<Fault> sampleFaults(const TestVector& vector) {
            {{"all", withFacing([](Facing) { return Facing::Culled; })},
             {"those that face away", culled(Facing::Back)},
             {"those that face the eye", culled(Facing::Front)}}},
-          {"front and back exchanged",
-           "a mirrored view, det(X, Y, W) < 0, reverses windings: look at the front face",
-           {{"", withFacing(otherSide)},
-            {"in mirrored views", withStage(&StagedDevice::facing, turnedInMirroredViews)},
-            {"all taken as fronts", withFacing([](Facing) { return Facing::Front; })},
-            {"all taken as backs", withFacing([](Facing) { return Facing::Back; })}}},
+          {"front and back exchanged", "a mirrored view, det(X, Y, W) < 0, reverses windings: look at the front face",
+           exchangedSides(vector.list)},
           {"wrong fill rule",
            "a sample on an edge belongs to the triangle whose top or left edge it is; rows are those in memory",
            fillRules()},
@@ -164,7 +168,7 @@ std::vector<Fault> sampleFaults(const TestVector& vector) {
            multisamplings(vector)},
           {"supersampling averaged", "averages of item IDs are meaningless: draw at the resolution of the face",
            supersamplings(vector.list.format)},
-          {"16-bit depth", "ask for a depth format of 32-bit floats, or 24 bits at least", sixteenBits()},
+          {"16-bit depth", "ask for a depth format of 32-bit floats, or 24 bits at least", sixteenBits(vector.list)},
           {"depth bias", "turn polygon offset and depth bias off", depthBiases()},
           {"depth test off",
            "turn the depth test and depth writes on, and attach a depth buffer",

@@ -49,6 +49,55 @@ ItemId repeatedTexelInFixedPoint(const IndexMap& map, const Lookup& lookup) {
   return texelAt(map, texel - size * glm::floor(texel / size));
 }
 
+/// A coordinate within rounding of 0 or 1 may repeat on one device and not on another.
+ItemId repeatedTexelAtBorders(const IndexMap& map, const Lookup& lookup) {
+  const glm::dvec2 size = sizeOf(map);
+  glm::dvec2 texel = glm::floor(lookup.at * size);
+  for (int axis = 0; axis < 2; ++axis) {
+    const double at = lookup.at[axis] * size[axis], rounding = 1.0 / 256 + 0x1p-18 * size[axis];
+    if (std::abs(at) <= rounding) texel[axis] = -1;
+    if (std::abs(at - size[axis]) <= rounding) texel[axis] = size[axis];
+  }
+  return texelAt(map, texel - size * glm::floor(texel / size));
+}
+
+/// Texels of a border around the map.
+std::vector<Variant> borders(const raster::IdFormat& format) {
+  const auto with = [](ItemId border) {
+    return withFetch([=](const IndexMap& map, const Lookup& lookup) {
+      const glm::dvec2 texel = glm::floor(lookup.at * sizeOf(map)), last = sizeOf(map) - 1.0;
+      const bool isInside = texel.x >= 0 && texel.y >= 0 && texel.x <= last.x && texel.y <= last.y;
+      return isInside ? texelAt(map, texel) : border;
+    });
+  };
+  return {{"zeros", with(0)}, {"ones", with(raster::backgroundId(format))}};
+}
+
+/// Sizes that are powers of two: the map is scaled to them, or padded with zeros.
+std::vector<Variant> powersOfTwo() {
+  const auto sizeFor = [](int size, bool isLarger) {
+    int power = 1;
+    while (2 * power <= size) power *= 2;
+    return isLarger && power < size ? 2 * power : power;
+  };
+  const auto resized = [=](const std::string& name, bool isLarger, bool isPadded) {
+    const auto upload = [=](raster::DrawList& list) {
+      for (IndexMap& map : list.indexMaps) {
+        const IndexMap source = map;
+        map = {sizeFor(source.width, isLarger), sizeFor(source.height, isLarger), {}};
+        for (int row = 0; row < map.height; ++row)
+          for (int column = 0; column < map.width; ++column) {
+            const glm::dvec2 texel(column, row), scale = isPadded ? glm::dvec2(1) : sizeOf(source) / sizeOf(map);
+            const bool isBeyond = isPadded && (column >= source.width || row >= source.height);
+            map.ids.push_back(isBeyond ? 0 : texelAt(source, (texel + 0.5) * scale));
+          }
+      }
+    };
+    return Variant{name, withStage(&StagedDevice::upload, upload)};
+  };
+  return {resized("scaled down", false, false), resized("scaled up", true, false), resized("padded", true, true)};
+}
+
 ItemId mirroredTexel(const IndexMap& map, const Lookup& lookup) {
   const glm::dvec2 period = lookup.at - 2.0 * glm::floor(lookup.at / 2.0);
   return nearestTexel(map, glm::min(period, 2.0 - period));
@@ -278,7 +327,10 @@ std::vector<Fault> textureFaults(const TestVector& vector) {
        {{"repeated", withFetch(repeatedTexel)},
         {"repeated, also just below 0", withFetch(repeatedTexelBelow)},
         {"repeated, in fixed point", withFetch(repeatedTexelInFixedPoint)},
+        {"repeated, in some pixels at the borders", withFetch(repeatedTexelAtBorders), {}, true},
         {"mirrored", withFetch(mirroredTexel)}}},
+      {"border colour beyond the map", "set the wrap mode of both coordinates to clamp to edge", borders(list.format)},
+      {"size of the index map a power of two", "upload index maps with their own size", powersOfTwo()},
       {"texels at u (N - 1)", "texel i covers i/N to (i + 1)/N: multiply by the number of texels", oneTexelLess()},
       {"u N rounded to binary32",
        "near a border of texels the product of two binary32 numbers needs 48 bits: multiply in double precision, and "

@@ -176,6 +176,49 @@ std::vector<Variant> dilations(raster::ItemId background) {
   return {{"the largest of 3 x 3 pixels", with(false)}, {"into the background", with(true)}};
 }
 
+/// Pictures moved by up to half a pixel: the first eight points of the sequence of Halton in bases 2 and 3, with rows
+/// downwards or upwards, and four quarters.
+std::vector<Variant> jitters() {
+  std::vector<glm::vec2> shifts{{0.25f, 0.25f}, {-0.25f, 0.25f}, {0.25f, -0.25f}, {-0.25f, -0.25f}};
+  const auto reversedDigits = [](int number, int base) {
+    float value = 0, digit = 1;
+    for (; number > 0; number /= base) value += static_cast<float>(number % base) * (digit /= static_cast<float>(base));
+    return value;
+  };
+  for (int k = 1; k <= 8; ++k)
+    for (const float sign : {1.0f, -1.0f})
+      shifts.emplace_back(reversedDigits(k, 2) - 0.5f, sign * (reversedDigits(k, 3) - 0.5f));
+  std::vector<Variant> variants;
+  for (const glm::vec2& shift : shifts)
+    variants.push_back({"by " + raster::shortNumber(shift.x) + ", " + raster::shortNumber(shift.y) + " pixel",
+                        withViews(-1, [=](Face& face) {
+                          place(face, {1, 1}, shift);
+                        })});
+  return variants;
+}
+
+/// Pictures moved by a pixel; what comes from outside is the scene or background.
+std::vector<Variant> pixelShifts(raster::ItemId background) {
+  std::vector<Variant> variants;
+  for (int k = 0; k < 9; ++k) {
+    const glm::ivec2 shift(k % 3 - 1, k / 3 - 1);
+    if (k == 4) continue;
+    const std::string name = std::to_string(shift.x) + ", " + std::to_string(shift.y);
+    variants.push_back({name, withViews(-1, [=](Face& face) { place(face, {1, 1}, shift); })});
+    variants.push_back({name + ", background beyond", withReadBack([=](const Face&, raster::ItemBuffer& buffer) {
+                          const std::vector<raster::ItemId> ids = buffer.ids;
+                          for (int row = 0, pixel = 0; row < buffer.height; ++row)
+                            for (int column = 0; column < buffer.width; ++column, ++pixel) {
+                              const int x = column - shift.x, y = row - shift.y;
+                              const bool isInside = x >= 0 && y >= 0 && x < buffer.width && y < buffer.height;
+                              buffer.ids[static_cast<std::size_t>(pixel)] =
+                                  isInside ? ids[static_cast<std::size_t>(y * buffer.width + x)] : background;
+                            }
+                        })});
+  }
+  return variants;
+}
+
 StagedDevice withFirstEye() {
   return withStage(&StagedDevice::camera, [](std::span<const Face> faces, std::size_t f) {
     Face face = faces[f];
@@ -240,6 +283,9 @@ std::vector<Fault> viewFaults(const TestVector& vector) {
            {enlarged(2), enlarged(4)}},
           {"dilation", "turn passes off that close gaps or outline objects",
            dilations(raster::backgroundId(vector.list.format))},
+          {"projection moved within a pixel", "turn the jitter of temporal antialiasing off for item IDs", jitters()},
+          {"picture moved by a pixel", "column 0 and row 0 come first: look at the corner of the viewport or copy",
+           pixelShifts(raster::backgroundId(vector.list.format))},
           {"a face's own eye ignored",
            "use the eye of each face: look for an eye that is set once for all faces",
            {{"", withFirstEye()}}}};

@@ -31,7 +31,7 @@ std::vector<SnappedTriangle> placeBy(const StagedGeometry& geometry, const raste
     for (std::size_t k = 2; k < polygon.count; ++k) {
       const std::array<raster::ViewVertex, 3> fan = raster::fanTriangle(polygon, k);
       if (!std::all_of(fan.begin(), fan.end(), isAhead)) continue;
-      SnappedTriangle triangle = raster::snappedTriangle(face, fan, {snap(fan[0]), snap(fan[1]), snap(fan[2])});
+      SnappedTriangle triangle = raster::snappedTriangle(list, face, fan, {snap(fan[0]), snap(fan[1]), snap(fan[2])});
       triangle.draw = drawn.draw;
       triangle.number = drawn.triangle;
       if (triangle.area != 0) triangles.push_back(triangle);
@@ -66,9 +66,8 @@ std::optional<ItemId> shade(const StagedDevice& device, const UploadedList& uplo
                             Facing facing, const raster::SnappedPoint& position) {
   const raster::DrawList& list = uploaded.list;
   const raster::Draw& draw = list.draws[triangle.draw];
-  const bool showsBack = facing == Facing::Back && draw.back,
-             isNumbered = list.value == raster::PixelValue::TriangleNumbers;
-  const ItemId flat = showsBack ? *draw.back : isNumbered ? triangleNumber(draw, triangle.number) : draw.offset;
+  const bool showsBack = facing == Facing::Back && draw.back, isNumbered = list.value != raster::PixelValue::ItemIds;
+  const ItemId flat = showsBack ? *draw.back : isNumbered ? flatValue(list, draw, triangle.number) : draw.offset;
   if (!draw.indexMap || ((showsBack || isNumbered) && !uploaded.hasHoles)) return flat;
   const Lookup lookup{triangle, position, held(device.interpolate(triangle, position))};
   const ItemId texel = device.fetch(list, static_cast<std::size_t>(*draw.indexMap), lookup);
@@ -76,9 +75,24 @@ std::optional<ItemId> shade(const StagedDevice& device, const UploadedList& uplo
   return showsBack || isNumbered ? flat : device.blend(list, draw.offset, texel);
 }
 
+/// Whether a position lies on the line of one pixel along an edge, in sub-pixels over `unit`.
+bool isOnLine(const SnappedTriangle& triangle, const raster::SnappedPoint& position, const raster::Weights& weights,
+              std::int64_t unit) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    const raster::SnappedPoint &a = triangle.corners[(k + 1) % 3], &b = triangle.corners[(k + 2) % 3];
+    const std::int64_t dx = std::abs(b.x - a.x), dy = std::abs(b.y - a.y);
+    if (std::abs(weights[k]) > 128 * unit * std::max(dx, dy)) continue;
+    const auto [low, high] = dx >= dy ? std::minmax({a.x, b.x}) : std::minmax({a.y, b.y});
+    const std::int64_t along = dx >= dy ? position.x : position.y;
+    if (low <= along && along <= high) return true;
+  }
+  return false;
+}
+
 /// Whether the triangle covers a position, in sub-pixels over `unit`.
 bool coversAt(const StagedDevice& device, const SnappedTriangle& triangle, const raster::SnappedPoint& position,
               const raster::Weights& weights, std::int64_t unit) {
+  if (device.drawsLines) return isOnLine(triangle, position, weights, unit);
   if (device.widening == 0) return covers(triangle, weights, device.ownsSamples);
   const std::int64_t reach = device.widening * unit;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -90,6 +104,22 @@ bool coversAt(const StagedDevice& device, const SnappedTriangle& triangle, const
     return range.first - reach <= at && at <= range.second + reach;
   };
   return isNear(std::minmax({a.x, b.x, c.x}), position.x) && isNear(std::minmax({a.y, b.y, c.y}), position.y);
+}
+
+/// Whether the triangle covers a sample of the 2 x 2 pixels around one.
+bool coversQuad(const StagedDevice& device, const SnappedTriangle& triangle, int column, int row) {
+  for (const int pixel : {0, 1, 2, 3}) {
+    const raster::SnappedPoint sample = raster::sampleOf(column / 2 * 2 + pixel % 2, row / 2 * 2 + pixel / 2);
+    if (coversAt(device, triangle, sample, weightsAt(triangle, sample), 1)) return true;
+  }
+  return false;
+}
+
+double depthOn(const StagedDevice& device, const SnappedTriangle& triangle, const raster::Weights& weights,
+               const raster::Face& view) {
+  if (!device.depth) return coveredSample(triangle, weights).depth;
+  const double depth = raster::depthOf(triangle, raster::weightsOverDepth<double>(triangle, weights));
+  return device.depth(-depth, static_cast<double>(view.nearDistance));
 }
 
 /// The largest change of 1/w per pixel.
@@ -116,9 +146,10 @@ void drawTriangle(const StagedDevice& device, const UploadedList& uploaded, cons
   const auto& [a, b, c] = triangle.corners;
   const raster::PixelRange columns = pixelsBetween(a.x, b.x, c.x, pixelSize, scissor.column, scissor.width);
   const raster::PixelRange rows = pixelsBetween(a.y, b.y, c.y, pixelSize, scissor.row, scissor.height);
-  if (columns.first >= columns.end || rows.first >= rows.end) return;
+  if (columns.first >= columns.end || rows.first >= rows.end || !device.keeps(triangle)) return;
   const Facing facing = device.facing(triangle.facesAway ? Facing::Back : Facing::Front, view);
   if (facing == Facing::Culled || isCulled(uploaded.list.draws[triangle.draw], facing == Facing::Back)) return;
+  const bool counts = uploaded.list.value == raster::PixelValue::PassedSamples;
   const double bias = device.depthBias == 0 ? 0 : device.depthBias * slopeOf(triangle, pixelSize);
   for (int row = rows.first; row < rows.end; ++row)
     for (int column = columns.first; column < columns.end; ++column) {
@@ -126,17 +157,25 @@ void drawTriangle(const StagedDevice& device, const UploadedList& uploaded, cons
         return raster::SnappedPoint{pixelSize * column + unit * p.x, pixelSize * row + unit * p.y};
       };
       const int pixel = (row - scissor.row) * scissor.width + column - scissor.column;
+      const std::int64_t block = device.shadingBlock;
+      const raster::SnappedPoint shaded = block == 1
+                                              ? inPixel(device.shadingSample)
+                                              : raster::SnappedPoint{pixelSize * (column / block * 2 + 1) * block / 2,
+                                                                     pixelSize * (row / block * 2 + 1) * block / 2};
       for (std::size_t s = 0; s < device.samples.size(); ++s) {
         const raster::SnappedPoint position = inPixel(device.samples[s]);
         const raster::Weights weights = weightsAt(triangle, position);
-        if (!coversAt(device, triangle, position, weights, unit)) continue;
         Sample& sample = target[static_cast<std::size_t>(pixel) * device.samples.size() + s];
-        const double depth =
-            device.depth(coveredSample(triangle, weights).inverseDepth, static_cast<double>(view.nearDistance)) + bias;
+        if (!coversAt(device, triangle, position, weights, unit)) {
+          if (device.countsQuads && coversQuad(device, triangle, column, row)) ++sample.id;
+          continue;
+        }
+        const double depth = depthOn(device, triangle, weights, view) + bias;
         if (sample.depth && !passes(uploaded.list.depthTest, depth, *sample.depth, device.passes)) continue;
-        const raster::SnappedPoint shaded = device.shadesSamples ? position : inPixel(device.shadingSample);
-        if (const auto id = shade(device, uploaded, triangle, facing, shaded))
-          sample = {depth, device.store(sample.id, *id)};
+        if (auto id = shade(device, uploaded, triangle, facing, device.shadesSamples ? position : shaded)) {
+          if (device.fade) id = device.fade(*id, 1 / coveredSample(triangle, weights).inverseDepth);
+          sample = {depth, counts ? sample.id + 1 : device.store(sample.id, *id)};
+        }
       }
     }
 }
@@ -153,7 +192,7 @@ bool isSameView(const raster::Face& a, const raster::Face& b) {
 
 /// Whether the draws take the same triangles in the same order.
 bool haveSameTriangles(const raster::DrawList& a, const raster::DrawList& b) {
-  return a.indices == b.indices && a.texcoords == b.texcoords &&
+  return a.indices == b.indices && a.positions == b.positions && a.clipZ == b.clipZ && a.texcoords == b.texcoords &&
          std::equal(
              a.draws.begin(), a.draws.end(), b.draws.begin(), b.draws.end(),
              [](const raster::Draw& x, const raster::Draw& y) { return x.first == y.first && x.count == y.count; });
@@ -179,8 +218,7 @@ raster::ItemBuffer drawFace(const StagedDevice& device, const UploadedList& uplo
   raster::ItemBuffer buffer;
   buffer.resize(view.scissor);
   const std::size_t perPixel = device.samples.size();
-  std::vector<Sample> target(buffer.ids.size() * perPixel,
-                             {device.clearedDepth, raster::backgroundId(uploaded.list.format)});
+  std::vector<Sample> target(buffer.ids.size() * perPixel, {device.clearedDepth, raster::clearedValue(uploaded.list)});
   const auto placeOf = [&](std::size_t sample) {
     const glm::ivec2 pixel = pixelAt(view.scissor, sample / perPixel);
     return std::array{pixel.x, pixel.y, static_cast<int>(sample % perPixel)};
@@ -233,7 +271,7 @@ StagedDevice withReadBack(const ReadBack& readBack) {
 }
 
 PlacedVector placeVector(const TestVector& vector) {
-  PlacedVector placed{vector.list, facesOf(vector), {}, {}};
+  PlacedVector placed{vector.list, facesOf(vector), {}, {}, sourceOf(vector)};
   const StagedDevice device;
   const UploadedList uploaded{vector.list};
   KeptDepths kept;
@@ -247,11 +285,13 @@ PlacedVector placeVector(const TestVector& vector) {
 void drawOn(const StagedDevice& device, const PlacedVector& placed,
             const std::function<bool(const raster::ItemBuffer&)>& wantsMore) {
   constexpr int stripRows = 8;
+  const bool isChanged = device.assemble || device.upload;
   raster::DrawList changed;
-  if (device.upload) device.upload(changed = placed.list);
-  const raster::DrawList& list = device.upload ? changed : placed.list;
+  if (isChanged) changed = device.assemble ? device.assemble(placed.source) : placed.list;
+  if (device.upload) device.upload(changed);
+  const raster::DrawList& list = isChanged ? changed : placed.list;
   const UploadedList uploaded{list};
-  const bool isSameMesh = !device.geometry && (!device.upload || haveSameTriangles(list, placed.list));
+  const bool isSameMesh = !device.geometry && (!isChanged || haveSameTriangles(list, placed.list));
   KeptDepths kept;
   for (std::size_t f = 0; f < placed.faces.size(); ++f) {
     raster::Face view = viewOf(device, placed.faces, f);

@@ -1,7 +1,8 @@
 /// A simulated device in stages. It draws a test vector by the raster rules (raster/plain/rules.h), in double precision
 /// from depths on. Each stage is a function that a known fault (fault.h) may replace.
 ///
-///     upload -> camera -> view and clip, snap -> facing -> cover -> depth -> interpolate -> fetch -> blend -> store
+///     assemble -> upload -> camera -> view and clip, snap -> facing -> cover -> depth -> interpolate -> fetch -> blend
+///     -> store
 ///     -> resolve -> read back
 ///
 /// Lengths on the picture are sub-pixels, 1/256 pixel.
@@ -64,8 +65,11 @@ raster::ItemId nearestTexel(const raster::IndexMap& map, const glm::dvec2& at);
 /// Changes the item IDs of a face on their way to its file.
 using ReadBack = std::function<void(const raster::Face&, raster::ItemBuffer&)>;
 
-/// `upload`, `camera`, `geometry` and `readBack` may be empty, and then change nothing.
+/// `assemble`, `upload`, `camera`, `geometry` and `readBack` may be empty, and then change nothing.
 struct StagedDevice {
+  /// From the list of the vector's file to an assembled one.
+  std::function<raster::DrawList(const raster::DrawList&)> assemble;
+
   /// Changes the uploaded draws, indices, texture coordinates and index maps; positions stay.
   std::function<void(raster::DrawList&)> upload;
 
@@ -80,20 +84,30 @@ struct StagedDevice {
   /// Whether samples on an edge are covered, from its direction.
   std::function<bool(const raster::SnappedPoint&)> ownsSamples = raster::ownsSamples;
 
+  /// Whether a triangle is drawn at all.
+  std::function<bool(const raster::SnappedTriangle&)> keeps = [](const raster::SnappedTriangle&) { return true; };
+
   /// How far edges are moved outwards along each axis, in sub-pixels: conservative rasterization has half a pixel.
   std::int64_t widening = 0;
+
+  /// Whether triangles are drawn as lines of one pixel along their edges.
+  bool drawsLines = false;
 
   /// Positions in a pixel: the samples of coverage and depth, and the sample of texture coordinates.
   std::vector<raster::SnappedPoint> samples{{128, 128}};
   raster::SnappedPoint shadingSample{128, 128};
   bool shadesSamples = false;  ///< whether each sample has its own texture coordinates
+  int shadingBlock = 1;        ///< pixels on the side of a block that has one sample of texture coordinates
 
-  /// The stored depth, from 1/w and the near distance, and the depth test. The test has a tolerance, so that rounding
-  /// does not decide between equal depths.
-  std::function<double(double, double)> depth = [](double inverseW, double) { return -inverseW; };
+  /// The stored depth, from 1/w (in clip space -z/w) and the near distance; empty: that of the rules. The depth test
+  /// has a tolerance, so that rounding does not decide between equal depths.
+  std::function<double(double, double)> depth;
   std::function<bool(double, double)> passes = [](double incoming, double stored) {
     return incoming < stored - 0x1p-40 * std::abs(stored);
   };
+
+  /// Whether all pixels of a quad with a covered one count as passed.
+  bool countsQuads = false;
 
   /// Times the largest change of the depth 1/w per pixel, it is added to the depth.
   double depthBias = 0;
@@ -122,6 +136,9 @@ struct StagedDevice {
       [](const raster::DrawList& list, raster::ItemId offset, raster::ItemId texel) {
         return raster::blend(list.format, list.blend, offset, texel);
       };
+
+  /// The item ID of a fragment after a change by its distance w from the eye; may be empty.
+  std::function<raster::ItemId(raster::ItemId, double)> fade;
 
   /// The item ID in the target, from the stored one and the fragment's.
   std::function<raster::ItemId(raster::ItemId, raster::ItemId)> store = [](raster::ItemId, raster::ItemId fragment) {
@@ -155,6 +172,7 @@ struct PlacedVector {
   std::vector<raster::Face> faces;
   std::vector<std::vector<raster::SnappedTriangle>> triangles;  ///< of each face, by the rules
   std::vector<raster::ItemBuffer> buffers;                      ///< of each face
+  const raster::DrawList& source;                               ///< before assembly
 };
 
 PlacedVector placeVector(const TestVector& vector);

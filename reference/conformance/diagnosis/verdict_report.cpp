@@ -1,6 +1,8 @@
 #include "reference/conformance/diagnosis/verdict_report.h"
 
 #include <algorithm>
+#include <array>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -160,7 +162,7 @@ Report reportOn(const TestVector& vector, std::span<const raster::ItemBuffer> fo
   const std::vector<raster::ItemBuffer> drawn = render(vector);
   std::vector<raster::ItemBuffer> expected;
   for (const VectorFace& face : vector.faces)
-    if (isExact) expected.push_back(evaluateRules(vector.list, face.face));
+    if (isExact) expected.push_back(evaluateRules(sourceOf(vector), face.face));
   Report report{judge(vector, isExact ? expected : drawn, found, profile), {}, {}};
   report.errors = firstErrors(vector, report.verdict);
   Diagnosis diagnosis = diagnoseAll(vector, report.verdict);
@@ -245,6 +247,118 @@ std::string toText(const CommonFault& common) {
   return (isWeak(common) ? "perhaps " : "") + common.finding.fault + ", in " + std::to_string(common.vectors) + " of " +
          std::to_string(common.failures) + " vectors with errors" +
          (isWeak(common) ? " (a guess: it does not explain the other vectors): " : ": ") + common.finding.advice;
+}
+
+namespace {
+
+bool isExplaining(const Report& report, const std::string& fault) {
+  return std::find(report.explaining.begin(), report.explaining.end(), fault) != report.explaining.end();
+}
+
+std::size_t pixelsOf(const Report& report) {
+  std::size_t pixels = 0;
+  for (const FaceVerdict& face : report.verdict.faces) pixels += face.pixels.size();
+  return pixels;
+}
+
+/// The reports with errors that a fault does not explain, those of small vectors first.
+std::vector<std::size_t> unexplained(std::span<const Report> reports, std::span<const TestVector* const> vectors,
+                                     const std::string& fault) {
+  std::vector<std::size_t> places;
+  for (std::size_t k = 0; k < reports.size(); ++k)
+    if (hasErrors(reports[k].verdict) && !isExplaining(reports[k], fault)) places.push_back(k);
+  const auto costOf = [&](std::size_t k) { return pixelsOf(reports[k]) + vectors[k]->list.indices.size(); };
+  std::stable_sort(places.begin(), places.end(), [&](std::size_t a, std::size_t b) { return costOf(a) < costOf(b); });
+  return places;
+}
+
+using Names = std::array<std::string, 2>;
+
+Names namesOf(const PairFinding& pair) {
+  Names names{pair[0].fault, pair[1].fault};
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+/// Pairs, the ones first that the first vectors without an explanation name most often.
+std::vector<PairFinding> likelyPairs(std::span<const Report> reports, std::span<const TestVector* const> vectors,
+                                     std::span<const std::size_t> places) {
+  constexpr std::size_t maxSeeds = 4, maxPairs = 6;
+  std::vector<PairFinding> pairs;
+  std::map<Names, std::size_t> votes;
+  for (const std::size_t k : places.first(std::min(places.size(), maxSeeds)))
+    for (const PairFinding& pair :
+         reports[k].findings.empty() ? diagnosePairs(*vectors[k], reports[k].verdict) : std::vector<PairFinding>{})
+      if (++votes[namesOf(pair)] == 1) pairs.push_back(pair);
+  std::stable_sort(pairs.begin(), pairs.end(),
+                   [&](const PairFinding& a, const PairFinding& b) { return votes[namesOf(a)] > votes[namesOf(b)]; });
+  pairs.resize(std::min(pairs.size(), maxPairs));
+  return pairs;
+}
+
+}  // namespace
+
+std::optional<CommonPair> commonPair(std::span<const Report> reports, std::span<const TestVector* const> vectors) {
+  const auto failures = static_cast<std::size_t>(
+      std::count_if(reports.begin(), reports.end(), [](const Report& report) { return hasErrors(report.verdict); }));
+  const std::optional<CommonFault> single = commonFault(reports);
+  const std::size_t alone = single ? single->vectors : 0;
+  const auto places = unexplained(reports, vectors, single ? single->finding.fault : "");
+  std::vector<PairFinding> pairs = likelyPairs(reports, vectors, places);
+  if (single) {  // and the one that explains most of what it leaves
+    std::vector<Report> rest;
+    for (const std::size_t k : places) rest.push_back(reports[k]);
+    if (const auto other = commonFault(rest)) pairs.push_back({single->finding, other->finding});
+  }
+  CommonPair best;
+  for (const PairFinding& pair : pairs) {
+    const Names names = namesOf(pair);
+    const auto explains = [&](std::size_t k) {
+      return isExplaining(reports[k], names[0]) || isExplaining(reports[k], names[1]) ||
+             !diagnosePairs(*vectors[k], reports[k].verdict, names).empty();
+    };
+    std::size_t count = 0;
+    for (std::size_t k = 0; k < reports.size(); ++k) count += hasErrors(reports[k].verdict) && explains(k);
+    if (count > best.vectors) best = {pair, count, failures};
+  }
+  const std::size_t more = best.vectors - std::min(best.vectors, alone);
+  if (more < std::min<std::size_t>(3, failures) || 2 * more <= failures - alone) return {};
+  return best;
+}
+
+std::string toText(const CommonPair& pair) {
+  const bool isGuess = 2 * pair.vectors < pair.failures || pair.failures == 1;
+  return (isGuess ? "perhaps " : "") + pair.findings[0].fault + " and " + pair.findings[1].fault + ", in " +
+         std::to_string(pair.vectors) + " of " + std::to_string(pair.failures) + " vectors with errors" +
+         (isGuess ? " (a guess): " : ": ") + pair.findings[0].advice + "; and: " + pair.findings[1].advice;
+}
+
+Json toJson(const CommonPair& pair) {
+  return {{"findings", {toJson(pair.findings[0]), toJson(pair.findings[1])}},
+          {"vectors", pair.vectors},
+          {"failures", pair.failures}};
+}
+
+void nameStaleFrames(std::span<Report> reports) {
+  const auto idsOf = [](const Report& report, raster::ItemBuffer FaceVerdict::*buffer) {
+    std::vector<raster::ItemId> ids;
+    for (const FaceVerdict& face : report.verdict.faces)
+      ids.insert(ids.end(), (face.*buffer).ids.begin(), (face.*buffer).ids.end());
+    return ids;
+  };
+  for (std::size_t k = 1; k < reports.size(); ++k) {
+    if (!hasErrors(reports[k].verdict)) continue;
+    const std::vector<raster::ItemId> found = idsOf(reports[k], &FaceVerdict::found);
+    for (std::size_t j = k; j-- > 0;) {
+      const std::vector<raster::ItemId> before = idsOf(reports[j], &FaceVerdict::expected);
+      if (before.size() < found.size() || !std::equal(found.begin(), found.end(), before.begin())) continue;
+      const Finding stale{"stale frame", "of " + reports[j].verdict.vector, 1,
+                          "wait for the device before the target is read, and read what was drawn last"};
+      if (reports[k].findings.empty()) reports[k].findings.push_back(stale);
+      reports[k].explaining.push_back(stale.fault);
+      break;
+    }
+  }
 }
 
 Json toJson(const Report& report) {

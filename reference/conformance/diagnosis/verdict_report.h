@@ -73,6 +73,27 @@ bool isWeak(const CommonFault& common);
 /// "linear filtering, in 3 of 4 vectors with errors: set both filters ...". A weak one is said as a guess.
 std::string toText(const CommonFault& common);
 
+/// Two faults that explain more failing vectors than the common fault, each alone or both together.
+struct CommonPair {
+  PairFinding findings;
+  std::size_t vectors = 0;   ///< vectors that they explain
+  std::size_t failures = 0;  ///< vectors with errors
+};
+
+/// Nothing where the common fault explains all, and where no pair explains more than half of the vectors that it
+/// leaves. `vectors` are those of the reports. Pairs come from the four smallest vectors that no fault explains alone.
+std::optional<CommonPair> commonPair(std::span<const Report> reports, std::span<const TestVector* const> vectors);
+
+/// "y of the view flipped and linear filtering, in 60 of 66 vectors with errors: look at ...; and: set both ...". It is
+/// said as a guess where it explains less than half of the vectors, and for one vector.
+std::string toText(const CommonPair& pair);
+
+/// `findings` (`fault`, `variant`, `agreement`, `advice` of each), `vectors` and `failures`.
+nlohmann::ordered_json toJson(const CommonPair& pair);
+
+/// Names stale frames: where the item IDs of a vector are those of an earlier one, in the order of `reports`.
+void nameStaleFrames(std::span<Report> reports);
+
 /// A JSON object with the keys
 ///
 /// - `vector`, `pass`, `pixels` (a count per verdict), `faces` (the same with `name`, `width` and `height`),

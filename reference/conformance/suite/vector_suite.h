@@ -23,6 +23,9 @@ std::vector<TestVector> texelVectors();     ///< which texel a sample shows
 std::vector<TestVector> idVectors();        ///< the item ID of an offset and a texel
 std::vector<TestVector> viewVectors();      ///< faces, viewports, scissor rectangles
 
+/// The suite of version 2 of the rules, which vectorSuite does not hold: at most 8 x 8 pixels each.
+std::vector<TestVector> drawVectors();
+
 /// The binary32 numbers next below k/N, nearest to it and next above it, for all k from 0 to N: each fills a pixel, the
 /// texel's number its item ID. Along u first, then along v with a mark of 0x10000.
 TestVector texelBorders(int texels);

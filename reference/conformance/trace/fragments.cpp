@@ -24,9 +24,25 @@ Fragment fragmentOf(const raster::DrawList& list, const raster::CoveredSample& s
           raster::interpolated(triangle, overDepth, &raster::ViewVertex::u),
           raster::interpolated(triangle, overDepth, &raster::ViewVertex::v),
           texel,
-          raster::itemId(list, triangle, texel),
+          raster::pixelValue(list, sample),
           triangle};
 }
+
+namespace {
+
+/// How many of the samples, in draw order, pass the depth test.
+raster::ItemId passedAt(const raster::DrawList& list, const std::vector<raster::CoveredSample>& covered) {
+  raster::CoveredSample shown;
+  for (const raster::CoveredSample& sample : covered)
+    if (!shown.triangle || passes(list.depthTest, sample, shown, raster::isNearer)) {
+      const raster::ItemId passed = shown.passed + 1;
+      shown = sample;
+      shown.passed = passed;
+    }
+  return shown.passed;
+}
+
+}  // namespace
 
 std::vector<Fragment> fragmentsAt(const raster::DrawList& list, std::span<const raster::SnappedTriangle> triangles,
                                   int column, int row) {
@@ -37,6 +53,7 @@ std::vector<Fragment> fragmentsAt(const raster::DrawList& list, std::span<const 
     const raster::CoveredSample sample = coveredSample(triangle, weights);
     if (!isHole(list, sample)) covered.push_back(sample);
   }
+  const raster::ItemId passed = passedAt(list, covered);
   using raster::DepthTest;
   const bool keepsLast = list.depthTest == DepthTest::NearerOrEqual || list.depthTest == DepthTest::FartherOrEqual;
   const bool isReversed = list.depthTest == DepthTest::Farther || list.depthTest == DepthTest::FartherOrEqual;
@@ -45,7 +62,10 @@ std::vector<Fragment> fragmentsAt(const raster::DrawList& list, std::span<const 
     return isReversed ? isNearer(b, a) : isNearer(a, b);
   });
   std::vector<Fragment> fragments;
-  for (const raster::CoveredSample& sample : covered) fragments.push_back(fragmentOf(list, sample));
+  for (raster::CoveredSample& sample : covered) {
+    sample.passed = passed;
+    fragments.push_back(fragmentOf(list, sample));
+  }
   return fragments;
 }
 

@@ -33,10 +33,10 @@ void deriveTriangle(const raster::DrawList& list, const raster::Face& face, Deri
     derivation.vertices[k] = vertexOf(list, face, list.indices[3 * std::size_t{screen.number} + k], views[k]);
     derivation.corners[k] = cornerOf(screen.vertices[k], screen.corners[k]);
   }
-  for (const raster::ClipPlane plane : raster::clipPlanes)
+  for (const raster::ClipPlane plane : raster::clipPlanes(list.clipDepth))
     if (raster::cuts(plane, views, face.nearDistance)) derivation.cutBy.push_back(plane);
   derivation.piece = screen.piece;
-  derivation.pieces = static_cast<int>(raster::clip(views, face.nearDistance).count) - 2;
+  derivation.pieces = static_cast<int>(raster::clip(views, face.nearDistance, list.clipDepth).count) - 2;
   derivation.area = screen.area;
 }
 
@@ -46,6 +46,12 @@ using OverDepth = std::array<Rational, 3>;
 
 OverDepth overDepthOf(const SnappedTriangle& triangle, int column, int row) {
   return raster::weightsOverDepth<Rational>(triangle, weightsAt(triangle, raster::sampleOf(column, row)));
+}
+
+/// The depth of a triangle at a sample that is not 1/w.
+std::optional<double> ownDepth(const raster::DrawList& list, const SnappedTriangle& triangle, int column, int row) {
+  if (list.clipDepth == raster::ClipDepth::None && list.depthPrecision == raster::DepthPrecision::Exact) return {};
+  return coveredSample(triangle, weightsAt(triangle, raster::sampleOf(column, row))).depth;
 }
 
 void deriveEdges(const raster::Weights& weights, Derivation& derivation) {
@@ -81,8 +87,8 @@ void deriveId(const raster::DrawList& list, const Rational& u, const Rational& v
 }
 
 /// The first fragment behind the visible one that is of another triangle.
-std::optional<RunnerUp> runnerUpOf(const std::vector<Fragment>& fragments, const Rational& inverseDepth, int column,
-                                   int row) {
+std::optional<RunnerUp> runnerUpOf(const raster::DrawList& list, const std::vector<Fragment>& fragments,
+                                   const Rational& inverseDepth, int column, int row) {
   const Fragment& front = fragments.front();
   const auto other = std::find_if(fragments.begin(), fragments.end(), [&](const Fragment& fragment) {
     return fragment.triangle != front.triangle || fragment.draw != front.draw;
@@ -90,7 +96,10 @@ std::optional<RunnerUp> runnerUpOf(const std::vector<Fragment>& fragments, const
   if (other == fragments.end()) return {};
   const Rational behind = raster::inverseDepth(overDepthOf(other->screen, column, row));
   const Rational difference = inverseDepth - behind;
-  return RunnerUp{{other->draw, other->triangle}, behind.convert_to<double>(), difference.convert_to<double>()};
+  return RunnerUp{{other->draw, other->triangle},
+                  behind.convert_to<double>(),
+                  difference.convert_to<double>(),
+                  ownDepth(list, other->screen, column, row)};
 }
 
 }  // namespace
@@ -109,9 +118,10 @@ std::optional<Derivation> derive(const raster::DrawList& list, const raster::Fac
   const Rational u = raster::interpolated(screen, overDepth, &ViewVertex::u);
   const Rational v = raster::interpolated(screen, overDepth, &ViewVertex::v);
   derivation.inverseDepth = inverseDepth.convert_to<double>();
+  derivation.depth = ownDepth(list, screen, column, row);
   derivation.coordinates = {u.convert_to<double>(), v.convert_to<double>()};
   deriveId(list, u, v, derivation);
-  derivation.runnerUp = runnerUpOf(fragments, inverseDepth, column, row);
+  derivation.runnerUp = runnerUpOf(list, fragments, inverseDepth, column, row);
   return derivation;
 }
 

@@ -52,8 +52,9 @@ struct DerivedSum {
 /// The next triangle behind the visible one.
 struct RunnerUp {
   DrawnTriangle drawn;
-  double inverseDepth;  ///< 1/w
-  double difference;    ///< 1/w of the visible triangle minus this one; 0 exactly where they are equal
+  double inverseDepth;               ///< 1/w
+  double difference;                 ///< 1/w of the visible triangle minus this one; 0 exactly where they are equal
+  std::optional<double> depth = {};  ///< as in Derivation
 };
 
 /// Real numbers are exact values rounded once to binary64. Those of `visible` are rounded more often.
@@ -68,6 +69,7 @@ struct Derivation {
   std::array<DerivedEdge, 3> edges;
   std::array<double, 3> weights;      ///< barycentric
   double inverseDepth;                ///< 1/w
+  std::optional<double> depth;        ///< the stored depth, or z/w in clip space; else none, where 1/w is the depth
   glm::dvec2 coordinates;             ///< u, v
   std::optional<DerivedTexel> texel;  ///< none without an index map, or on a back
   std::vector<DerivedSum> sums;       ///< clamped add: one per channel; integer add: one; replace: none

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "raster/base/parallel.h"
+#include "raster/interface/assembly.h"
 
 namespace hemitex::reference {
 namespace {
@@ -13,23 +14,47 @@ namespace {
 using Rational = boost::multiprecision::cpp_rational;
 using Integer = boost::multiprecision::cpp_int;
 
-/// x, y, w, u, v of a vertex, in binary64.
-using Attributes = std::array<double, 5>;
-enum Attribute : std::size_t { X, Y, W, U, V };
+/// x, y, w, u, v, z of a vertex, in binary64.
+using Attributes = std::array<double, 6>;
+enum Attribute : std::size_t { X, Y, W, U, V, Z };
 
 /// The vertex stage.
-Attributes vertexStage(const raster::Face& face, const glm::vec3& position, const glm::vec2& texcoord) {
+Attributes vertexStage(const raster::Face& face, const raster::DrawList& list, std::uint32_t index,
+                       const raster::Instance* instance) {
+  const bool isScene = list.clipDepth == raster::ClipDepth::None;
+  glm::vec3 position = list.positions[index];
+  float z = isScene ? 0 : list.clipZ[index];
+  if (instance) {
+    const auto placed = [&](float value, int axis) { return value * instance->scale[axis] + instance->offset[axis]; };
+    position = {placed(position.x, 0), placed(position.y, 1), placed(position.z, isScene ? 2 : 3)};
+    z = isScene ? 0 : placed(z, 2);
+  }
   const glm::vec3 d = position - face.eye;
   const auto product = [&](const glm::vec3& row) { return (row.x * d.x + row.y * d.y) + row.z * d.z; };
-  return {product(face.x), product(face.y), product(face.w), texcoord.x, texcoord.y};
+  const glm::vec2 texcoord = list.texcoords[index];
+  return {product(face.x), product(face.y), product(face.w), texcoord.x, texcoord.y, z};
 }
 
-/// Clips to w >= n, then to |x| <= 8w and |y| <= 8w.
-std::vector<Attributes> clip(std::vector<Attributes> polygon, double n) {
-  for (const int plane : {0, 1, 2, 3, 4}) {
+/// The half-spaces f >= n of all lists: f is the product of x, y, w and z with these numbers.
+struct HalfSpace {
+  double x, y, w, z, n;
+};
+
+/// w >= n, then in clip space those of z, then |x| <= 8w and |y| <= 8w.
+std::vector<HalfSpace> halfSpaces(raster::ClipDepth depth, double n) {
+  std::vector<HalfSpace> result{{0, 0, 1, 0, n}};
+  if (depth == raster::ClipDepth::ZeroToOne) result.push_back({0, 0, 0, 1, 0});
+  if (depth == raster::ClipDepth::MinusOneToOne) result.push_back({0, 0, 1, 1, 0});
+  if (depth != raster::ClipDepth::None) result.push_back({0, 0, 1, -1, 0});
+  result.insert(result.end(), {{-1, 0, 8, 0, 0}, {1, 0, 8, 0, 0}, {0, -1, 8, 0, 0}, {0, 1, 8, 0, 0}});
+  return result;
+}
+
+std::vector<Attributes> clip(std::vector<Attributes> polygon, raster::ClipDepth depth, double n) {
+  for (const HalfSpace& side : halfSpaces(depth, n)) {
+    // At most two terms are not zero, so that the sum is rounded once.
     const auto f = [&](const Attributes& p) {
-      const double side = p[plane < 3 ? X : Y];
-      return plane == 0 ? p[W] - n : plane % 2 == 1 ? 8 * p[W] - side : 8 * p[W] + side;
+      return (side.w * p[W] + side.z * p[Z]) + (side.x * p[X] + side.y * p[Y]) - side.n;
     };
     std::vector<Attributes> result;
     for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -42,7 +67,7 @@ std::vector<Attributes> clip(std::vector<Attributes> polygon, double n) {
       const double t = f(a) / (f(a) - f(b));
       Attributes p;
       for (std::size_t k = 0; k < p.size(); ++k) p[k] = a[k] + t * (b[k] - a[k]);
-      p[W] = plane == 0 ? n : std::max(p[W], n);
+      p[W] = side.n == n ? n : std::max(p[W], n);
       result.push_back(p);
     }
     polygon = result;
@@ -66,12 +91,20 @@ int sign(std::int64_t value) { return (value > 0) - (value < 0); }
 
 struct Triangle {
   const raster::Draw* draw;
+  raster::ItemId offset;  ///< of the draw or its instance
   std::array<Attributes, 3> vertices;
   std::array<Point, 3> snapped;
   std::int64_t area;  ///< doubled, signed
   bool isBack;
-  bool hasHoles;          ///< in its index map
-  raster::ItemId number;  ///< in its draw
+  bool hasHoles;         ///< in its index map
+  raster::ItemId value;  ///< of its front, without a texel
+};
+
+/// What the depths of a face depend on.
+struct DepthRule {
+  raster::ClipDepth space;
+  raster::DepthPrecision precision;
+  float n;
 };
 
 /// The sign of the area that `sample`, moved by (epsilon, epsilon^2), spans with the edge from a to b.
@@ -141,33 +174,66 @@ raster::ItemId fetch(const raster::DrawList& list, const Triangle& triangle, con
 raster::ItemId idAt(const raster::DrawList& list, const Triangle& triangle, const Point& sample) {
   const raster::Draw& draw = *triangle.draw;
   if (triangle.isBack && draw.back) return *draw.back;
-  if (list.value == raster::PixelValue::TriangleNumbers) return draw.offset + triangle.number;
-  if (!draw.indexMap) return draw.offset;
-  return blend(list, draw.offset, fetch(list, triangle, sample));
+  if (list.value != raster::PixelValue::ItemIds || !draw.indexMap) return triangle.value;
+  return blend(list, triangle.offset, fetch(list, triangle, sample));
 }
 
-/// The depth test of two values of 1/w.
+/// The whole number next to a number of at least 0, the even one of two.
+Integer nearestInteger(const Rational& value) {
+  const Integer down = numerator(value) / denominator(value);
+  const Rational rest = value - Rational(down);
+  const bool isUp = 2 * rest > 1 || (2 * rest == 1 && down % 2 != 0);
+  return isUp ? Integer(down + 1) : down;
+}
+
+/// A depth from 0 to 1 in binary32.
+Rational inBinary32(const Rational& depth) {
+  for (int exponent = 1; exponent <= 126; ++exponent) {
+    const Rational unit(Integer(1), Integer(1) << (exponent + 23));
+    if (depth >= unit * (1 << 23) || exponent == 126) return Rational(nearestInteger(depth / unit)) * unit;
+  }
+  return depth;
+}
+
+/// The depth of a fragment, as it is stored: smaller for nearer ones.
+Rational depthAt(const DepthRule& rule, const Triangle& triangle, const Point& sample) {
+  const std::array<Rational, 3> weights = weightsOverDepth(triangle, sample);
+  Rational depth;  // z/w
+  for (std::size_t k = 0; k < 3; ++k) depth += weights[k] * Rational(triangle.vertices[k][Z]);
+  if (rule.space == raster::ClipDepth::None) depth = 1 - Rational(rule.n) * sum(weights);
+  if (rule.space == raster::ClipDepth::MinusOneToOne) depth = (depth + 1) / 2;
+  if (rule.precision == raster::DepthPrecision::Exact) return depth;
+  depth = std::clamp(depth, Rational(0), Rational(1));
+  if (rule.precision == raster::DepthPrecision::Float32) return inBinary32(depth);
+  const int steps = rule.precision == raster::DepthPrecision::Unorm16 ? 65535 : 16777215;
+  return Rational(nearestInteger(depth * steps));
+}
+
 bool passes(raster::DepthTest test, const Rational& incoming, const Rational& stored) {
-  if (test == raster::DepthTest::Nearer) return incoming > stored;
-  if (test == raster::DepthTest::NearerOrEqual) return incoming >= stored;
-  return test == raster::DepthTest::Farther ? incoming < stored : incoming <= stored;
+  if (test == raster::DepthTest::Nearer) return incoming < stored;
+  if (test == raster::DepthTest::NearerOrEqual) return incoming <= stored;
+  return test == raster::DepthTest::Farther ? incoming > stored : incoming >= stored;
 }
 
 /// The item ID of the triangle that a sample shows.
-raster::ItemId idAt(const raster::DrawList& list, const std::vector<Triangle>& triangles, const Point& sample) {
+raster::ItemId idAt(const raster::DrawList& list, const DepthRule& rule, const std::vector<Triangle>& triangles,
+                    const Point& sample) {
   const Triangle* shown = nullptr;
-  std::optional<Rational> stored;  // 1/w, known once two triangles compete
+  raster::ItemId passed = 0;
+  std::optional<Rational> stored;  // the depth, known once two triangles compete
   for (const Triangle& triangle : triangles) {
     if (!isCovered(triangle, sample)) continue;
     if (triangle.hasHoles && fetch(list, triangle, sample) == 0xFFFFFFFF) continue;
     if (shown != nullptr) {
-      if (!stored) stored = sum(weightsOverDepth(*shown, sample));
-      const Rational inverseDepth = sum(weightsOverDepth(triangle, sample));
-      if (!passes(list.depthTest, inverseDepth, *stored)) continue;
-      stored = inverseDepth;
+      if (!stored) stored = depthAt(rule, *shown, sample);
+      const Rational depth = depthAt(rule, triangle, sample);
+      if (!passes(list.depthTest, depth, *stored)) continue;
+      stored = depth;
     }
     shown = &triangle;
+    ++passed;
   }
+  if (list.value == raster::PixelValue::PassedSamples) return passed;
   return shown ? idAt(list, *shown, sample) : raster::backgroundId(list.format);
 }
 
@@ -179,26 +245,76 @@ bool isCulled(const raster::Draw& draw, bool isBack) {
   return isBack ? draw.cull == raster::Cull::Back : draw.cull == raster::Cull::Front;
 }
 
-/// The triangles of all draws after clipping, snapping and culling, in draw order.
+/// The triangles of a draw, as vertices; counted entry by entry.
+std::vector<std::array<std::uint32_t, 3>> assemble(const raster::DrawList& list, const raster::Draw& draw) {
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  std::uint32_t start = draw.first;  // of the entries since the last restart
+  for (std::uint32_t k = draw.first; k < draw.first + draw.count; ++k) {
+    const auto vertex = [&](std::uint32_t entry) { return list.indices[entry] + draw.baseVertex; };
+    if (draw.restarts && list.indices[k] == (list.indexBits == 16 ? 65535 : 4294967295)) start = k + 1;
+    const std::uint32_t entries = k + 1 - start;
+    const bool isList = draw.topology == raster::Topology::Triangles;
+    if (entries < 3 || (isList && entries % 3 != 0)) continue;
+    std::array<std::uint32_t, 3> corners{vertex(k - 2), vertex(k - 1), vertex(k)};
+    const bool isFirst = list.provoking == raster::Provoking::First;
+    if (draw.topology == raster::Topology::Fan) corners[0] = vertex(start);
+    if (draw.topology == raster::Topology::Fan && isFirst)
+      std::rotate(corners.begin(), corners.begin() + 1, corners.end());
+    // Every other triangle of a strip winds the other way; the provoking vertex stays in its place.
+    const bool isOdd = draw.topology == raster::Topology::Strip && entries % 2 == 0;
+    if (isOdd) std::swap(corners[isFirst ? 2 : 0], corners[1]);
+    triangles.push_back(corners);
+  }
+  return triangles;
+}
+
+/// The value of a front without texels.
+raster::ItemId valueOf(const raster::DrawList& list, raster::ItemId offset, std::uint32_t number,
+                       const std::array<std::uint32_t, 3>& corners) {
+  switch (list.value) {
+    case raster::PixelValue::TriangleNumbers:
+      return offset + number;
+    case raster::PixelValue::VertexValues:
+      return offset + list.vertexValues[list.provoking == raster::Provoking::First ? corners[0] : corners[2]];
+    case raster::PixelValue::Pairs:
+      return raster::PairNumbers(list).numberOf(std::uint64_t{offset} << 32 | number);
+    default:
+      return offset;
+  }
+}
+
+/// Appends what clipping, snapping and culling leave of a triangle. `triangle` has all that does not depend on them.
+void append(const raster::DrawList& list, const raster::Face& face, const std::vector<Attributes>& corners,
+            Triangle triangle, std::vector<Triangle>& triangles) {
+  if (!std::all_of(corners.begin(), corners.end(), isFinite)) return;
+  const std::vector<Attributes> polygon = clip(corners, list.clipDepth, face.nearDistance);
+  for (std::size_t k = 2; k < polygon.size(); ++k) {
+    triangle.vertices = {polygon[0], polygon[k - 1], polygon[k]};
+    for (std::size_t c = 0; c < 3; ++c) triangle.snapped[c] = snap(triangle.vertices[c], raster::viewportOf(face));
+    triangle.area = cross(triangle.snapped[1] - triangle.snapped[0], triangle.snapped[2] - triangle.snapped[0]);
+    const bool isClockwise = sign(triangle.area) == (raster::determinant(face) > 0 ? 1 : -1);
+    triangle.isBack = isClockwise == (list.front == raster::Winding::CounterClockwise);
+    if (triangle.area != 0 && !isCulled(*triangle.draw, triangle.isBack)) triangles.push_back(triangle);
+  }
+}
+
+/// The triangles of all draws and their instances, in draw order.
 std::vector<Triangle> trianglesOf(const raster::DrawList& list, const raster::Face& face,
                                   std::span<const std::uint32_t> skipped) {
   std::vector<Triangle> triangles;
+  std::uint32_t count = 0;  // of all triangles so far
   for (const raster::Draw& draw : list.draws) {
     const bool hasHoles = draw.indexMap && raster::hasHoles(list.indexMaps[static_cast<std::size_t>(*draw.indexMap)]);
-    for (std::uint32_t first = draw.first; first < draw.first + draw.count; first += 3) {
-      if (std::find(skipped.begin(), skipped.end(), first / 3) != skipped.end()) continue;
-      std::vector<Attributes> polygon;
-      for (std::uint32_t k = first; k < first + 3; ++k)
-        polygon.push_back(vertexStage(face, list.positions[list.indices[k]], list.texcoords[list.indices[k]]));
-      if (!std::all_of(polygon.begin(), polygon.end(), isFinite)) continue;
-      polygon = clip(polygon, face.nearDistance);
-      for (std::size_t k = 2; k < polygon.size(); ++k) {
-        Triangle triangle{
-            &draw, {polygon[0], polygon[k - 1], polygon[k]}, {}, 0, false, hasHoles, (first - draw.first) / 3};
-        for (std::size_t c = 0; c < 3; ++c) triangle.snapped[c] = snap(triangle.vertices[c], raster::viewportOf(face));
-        triangle.area = cross(triangle.snapped[1] - triangle.snapped[0], triangle.snapped[2] - triangle.snapped[0]);
-        triangle.isBack = sign(triangle.area) == (raster::determinant(face) > 0 ? 1 : -1);
-        if (triangle.area != 0 && !isCulled(draw, triangle.isBack)) triangles.push_back(triangle);
+    const std::vector<std::array<std::uint32_t, 3>> assembly = assemble(list, draw);
+    for (std::uint32_t i = 0; i < std::max(draw.instances, 1U); ++i) {
+      const raster::Instance* instance = draw.instances == 0 ? nullptr : &list.instances[draw.firstInstance + i];
+      const raster::ItemId offset = draw.offset + (instance ? instance->id : 0);
+      for (std::uint32_t t = 0; t < assembly.size(); ++t) {
+        if (std::find(skipped.begin(), skipped.end(), count++) != skipped.end()) continue;
+        std::vector<Attributes> corners;
+        for (const std::uint32_t vertex : assembly[t]) corners.push_back(vertexStage(face, list, vertex, instance));
+        append(list, face, corners, {&draw, offset, {}, {}, 0, false, hasHoles, valueOf(list, offset, t, assembly[t])},
+               triangles);
       }
     }
   }
@@ -215,11 +331,12 @@ raster::ItemBuffer evaluateRules(const raster::DrawList& list, const raster::Fac
   raster::ItemBuffer buffer;
   buffer.resize(face.scissor);
   const auto width = static_cast<std::size_t>(buffer.width);
+  const DepthRule rule{list.clipDepth, list.depthPrecision, face.nearDistance};
   const std::int64_t middle = face.sample == raster::SamplePlace::Middle ? 128 : 0;
   raster::parallelFor(static_cast<std::size_t>(buffer.height), [&](std::size_t row) {
     for (std::size_t column = 0; column < width; ++column) {
       const Point pixel(face.scissor.column + static_cast<int>(column), face.scissor.row + static_cast<int>(row));
-      buffer.ids[row * width + column] = idAt(list, triangles, std::int64_t{256} * pixel + middle);
+      buffer.ids[row * width + column] = idAt(list, rule, triangles, std::int64_t{256} * pixel + middle);
     }
   });
   return buffer;

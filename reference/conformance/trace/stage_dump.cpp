@@ -16,15 +16,13 @@ namespace {
 using Json = nlohmann::ordered_json;
 using raster::ViewVertex;
 
-// Corners are written as they are in memory: x, y, w, u, v.
-static_assert(sizeof(ViewVertex) == 5 * sizeof(double));
-
 // --- vertices and pieces ---
 
 template <typename Vertices>
-bool isCut(const Vertices& vertices, double nearDistance) {
-  return std::any_of(raster::clipPlanes.begin(), raster::clipPlanes.end(),
-                     [&](raster::ClipPlane plane) { return raster::cuts(plane, vertices, nearDistance); });
+bool isCut(const raster::DrawList& list, const raster::Face& face, const Vertices& vertices) {
+  const auto planes = raster::clipPlanes(list.clipDepth);
+  return std::any_of(planes.begin(), planes.end(),
+                     [&](raster::ClipPlane plane) { return raster::cuts(plane, vertices, face.nearDistance); });
 }
 
 glm::ivec2 onGrid(const raster::Face& face, const ViewVertex& vertex) {
@@ -34,8 +32,8 @@ glm::ivec2 onGrid(const raster::Face& face, const ViewVertex& vertex) {
 
 void addVertices(const raster::DrawList& list, const raster::Face& face, Stages& stages) {
   for (std::size_t v = 0; v < list.positions.size(); ++v) {
-    const ViewVertex vertex = raster::view(face, list.positions[v], list.texcoords[v]);
-    const bool isInside = raster::isFinite(vertex) && !isCut(std::array{vertex}, face.nearDistance);
+    const ViewVertex vertex = raster::viewedVertex(face, list, v);
+    const bool isInside = raster::isFinite(vertex) && !isCut(list, face, std::array{vertex});
     stages.view.push_back({vertex.x, vertex.y, vertex.w});
     stages.snapped.push_back(isInside ? onGrid(face, vertex) : glm::ivec2(notSnapped));
   }
@@ -44,8 +42,8 @@ void addVertices(const raster::DrawList& list, const raster::Face& face, Stages&
 void addPieces(const raster::DrawList& list, const raster::Face& face, Stages& stages) {
   for (std::uint32_t t = 0; t < list.indices.size() / 3; ++t) {
     const std::array<ViewVertex, 3> corners = raster::view(face, list, t);
-    if (!raster::areFinite(corners) || !isCut(corners, face.nearDistance)) continue;
-    const raster::ClippedPolygon polygon = raster::clip(corners, face.nearDistance);
+    if (!raster::areFinite(corners) || !isCut(list, face, corners)) continue;
+    const raster::ClippedPolygon polygon = raster::clip(corners, face.nearDistance, list.clipDepth);
     for (std::size_t k = 2; k < polygon.count; ++k) {
       const auto& [a, b, c] = stages.pieceCorners.emplace_back(fanTriangle(polygon, k));
       stages.pieceTriangles.push_back(static_cast<std::int32_t>(t));
@@ -88,6 +86,9 @@ void writeStages(const std::filesystem::path& folder, const TestVector& vector) 
   for (std::size_t f = 0; f < vector.faces.size(); ++f) {
     const Stages stages = stagesOf(vector.list, vector.faces[f].face);
     Json json{{"name", vector.faces[f].name}};
+    std::vector<std::array<double, 5>> corners;
+    for (const std::array<ViewVertex, 3>& piece : stages.pieceCorners)
+      for (const ViewVertex& corner : piece) corners.push_back({corner.x, corner.y, corner.w, corner.u, corner.v});
     const auto write = [&](const std::string& key, const std::string& type, const auto& values) {
       const std::string file = "stage-" + std::to_string(f) + "-" + key + "." + type;
       writeArray(folder / file, values);
@@ -100,7 +101,7 @@ void writeStages(const std::filesystem::path& folder, const TestVector& vector) 
     write("view", "f32", stages.view);
     write("snapped", "i32", stages.snapped);
     write("piece_triangles", "i32", stages.pieceTriangles);
-    write("piece_corners", "f64", stages.pieceCorners);
+    write("piece_corners", "f64", corners);
     write("piece_snapped", "i32", stages.pieceSnapped);
     faces.push_back(std::move(json));
   }

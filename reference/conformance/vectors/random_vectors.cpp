@@ -524,6 +524,72 @@ Drawing viewports(Random& random) {
   return drawing;
 }
 
+/// Triangles in clip space: w of both signs and 0, z inside and outside of the range, on its planes and equal.
+Drawing clipSpace(Random& random) {
+  using namespace raster;
+  Drawing drawing = emptyDrawing(anyCountingMap(random));
+  drawing.faces[0].nearDistance = 0x1p-20F;
+  DrawList& list = drawing.list;
+  list.clipDepth = random.oneOf({ClipDepth::ZeroToOne, ClipDepth::MinusOneToOne});
+  list.depthTest =
+      random.oneOf({DepthTest::Nearer, DepthTest::NearerOrEqual, DepthTest::Farther, DepthTest::FartherOrEqual});
+  list.depthPrecision = random.oneOf({DepthPrecision::Exact, DepthPrecision::Exact, DepthPrecision::Unorm16,
+                                      DepthPrecision::Unorm24, DepthPrecision::Float32});
+  list.front = random.oneOf({Winding::CounterClockwise, Winding::Clockwise});
+  const bool isOrthographic = random.isOneIn(3), hasSteps = random.isOneIn(3);
+  const float size = random.oneOf({1.2F, 1.5F, 20.0F});
+  for (int k = 0; k < 4; ++k) {
+    add(drawing, random, cornersOf([&] {
+          const float w = isOrthographic ? 1 : random.isOneIn(9) ? 0 : random.uniform(-0.6F, 3);
+          const float x = random.uniform(-size, size), y = random.uniform(-size, size);
+          const float z = hasSteps ? static_cast<float>(random.between(-8, 8)) / 8 : random.uniform(-1.1F, 1.1F);
+          list.clipZ.push_back(random.isOneIn(9) ? 0 : z * (w == 0 ? 1 : w));
+          return w == 0 ? glm::vec3(x, y, 0) : glm::vec3(x * std::abs(w), y * std::abs(w), w);
+        }));
+    list.draws.back().cull = random.oneOf({Cull::None, Cull::None, Cull::Front, Cull::Back});
+  }
+  if (random.isOneIn(2)) drawing.faces[0].y = -drawing.faces[0].y;
+  return drawing;
+}
+
+/// Strips, fans and triangles of few vertices, some cut by restarts, with values of all kinds and instances.
+Drawing assemblies(Random& random) {
+  using namespace raster;
+  Drawing drawing = random.isOneIn(2) ? clipSpace(random) : generic(random);
+  DrawList& list = drawing.list;
+  list.value = random.oneOf({PixelValue::ItemIds, PixelValue::TriangleNumbers, PixelValue::VertexValues,
+                             PixelValue::Pairs, PixelValue::PassedSamples});
+  list.provoking = random.oneOf({Provoking::First, Provoking::Last});
+  list.indexBits = random.oneOf({16, 32});
+  if (list.value == PixelValue::VertexValues)
+    for (std::size_t v = 0; v < list.positions.size(); ++v) list.vertexValues.push_back(random.below(100));
+  for (ItemId i = 0; i < 3; ++i) {
+    Instance instance;
+    for (int axis = 0; axis < 3; ++axis) {
+      instance.scale[axis] = random.oneOf({1.0F, -1.0F, 0.5F, 1.3F});
+      instance.offset[axis] = random.uniform(-0.5F, 0.5F);
+    }
+    instance.id = 0x100 * (i + 1);
+    list.instances.push_back(instance);
+  }
+  list.indices.clear();
+  const std::uint32_t restart = list.indexBits == 16 ? 0xffff : 0xffffffff;
+  const auto vertices = static_cast<std::uint32_t>(list.positions.size());
+  for (Draw& draw : list.draws) {
+    draw.topology = random.oneOf({Topology::Triangles, Topology::Strip, Topology::Fan});
+    draw.restarts = random.isOneIn(2);
+    draw.baseVertex = random.below(3);
+    draw.instances = random.below(4);
+    draw.firstInstance = random.below(4 - draw.instances);
+    draw.first = static_cast<std::uint32_t>(list.indices.size());
+    draw.count = 3 * (1 + random.below(2));
+    if (list.value == PixelValue::Pairs) draw.back.reset();
+    for (std::uint32_t k = 0; k < draw.count; ++k)
+      list.indices.push_back(draw.restarts && random.isOneIn(5) ? restart : random.below(vertices - draw.baseVertex));
+  }
+  return drawing;
+}
+
 TestVector makeRandom(std::uint64_t seed, const RandomFamily& family) {
   Random random(seed);
   Drawing drawing = family.make(random);
@@ -568,7 +634,9 @@ const std::vector<RandomFamily>& newRandomFamilies() {
       {"two-sided", "a side in the place of its other side", twoSided},
       {"triangle-numbers", "numbers of other triangles or of another draw", triangleNumbers},
       {"depth-tests", "the order of depths, also of equal ones, and the depth clear", depthTests},
-      {"viewports", "viewports that are no squares, and samples half a pixel off", viewports}};
+      {"viewports", "viewports that are no squares, and samples half a pixel off", viewports},
+      {"clip-space", "clipping in clip space, depth ranges, reversed and stored depths, windings", clipSpace},
+      {"assemblies", "strips, fans, restarts, instances, provoking vertices, pairs, counts", assemblies}};
   return families;
 }
 

@@ -14,6 +14,7 @@
 #include "raster/base/input_error.h"
 #include "raster/base/memory_budget.h"
 #include "raster/base/short_number.h"
+#include "raster/interface/assembly.h"
 #include "raster/plain/plain_renderer.h"
 #include "raster/software/software_renderer.h"
 #include "reference/base/json_text.h"
@@ -55,6 +56,11 @@ std::int64_t toInteger(const Json& value, const std::string& key, std::int64_t l
 std::string toText(const Json& value, const std::string& key) {
   if (!value.is_string()) throw InputError("\"" + key + "\" is not a string");
   return value.get<std::string>();
+}
+
+bool toBool(const Json& value, const std::string& key) {
+  if (!value.is_boolean()) throw InputError("\"" + key + "\" is neither true nor false");
+  return value.get<bool>();
 }
 
 /// A file name without directories, so that a vector cannot read files outside of its folder.
@@ -103,8 +109,18 @@ constexpr std::array<Named<raster::Blend>, 3> blendNames{{{raster::Blend::Clampe
 constexpr std::array<Named<raster::Cull>, 3> cullNames{
     {{raster::Cull::None, "none"}, {raster::Cull::Front, "front"}, {raster::Cull::Back, "back"}}};
 
-constexpr std::array<Named<raster::PixelValue>, 2> valueNames{
-    {{raster::PixelValue::ItemIds, "item-ids"}, {raster::PixelValue::TriangleNumbers, "triangle-numbers"}}};
+constexpr std::array<Named<raster::PixelValue>, 5> valueNames{
+    {{raster::PixelValue::ItemIds, "item-ids"},
+     {raster::PixelValue::TriangleNumbers, "triangle-numbers"},
+     {raster::PixelValue::VertexValues, "vertex-values"},
+     {raster::PixelValue::Pairs, "pairs"},
+     {raster::PixelValue::PassedSamples, "passed-samples"}}};
+
+constexpr std::array<Named<raster::Topology>, 3> topologyNames{
+    {{raster::Topology::Triangles, "triangles"}, {raster::Topology::Strip, "strip"}, {raster::Topology::Fan, "fan"}}};
+
+constexpr std::array<Named<raster::Provoking>, 2> provokingNames{
+    {{raster::Provoking::First, "first"}, {raster::Provoking::Last, "last"}}};
 
 constexpr std::array<Named<raster::DepthTest>, 4> depthTestNames{
     {{raster::DepthTest::Nearer, "nearer"},
@@ -115,18 +131,31 @@ constexpr std::array<Named<raster::DepthTest>, 4> depthTestNames{
 constexpr std::array<Named<raster::SamplePlace>, 2> sampleNames{
     {{raster::SamplePlace::Middle, "middle"}, {raster::SamplePlace::Corner, "corner"}}};
 
+constexpr std::array<Named<raster::ClipDepth>, 3> clipDepthNames{
+    {{raster::ClipDepth::None, "none"},
+     {raster::ClipDepth::ZeroToOne, "zero-to-one"},
+     {raster::ClipDepth::MinusOneToOne, "minus-one-to-one"}}};
+
+constexpr std::array<Named<raster::DepthPrecision>, 4> depthPrecisionNames{
+    {{raster::DepthPrecision::Exact, "exact"},
+     {raster::DepthPrecision::Unorm16, "unorm16"},
+     {raster::DepthPrecision::Unorm24, "unorm24"},
+     {raster::DepthPrecision::Float32, "float32"}}};
+
+constexpr std::array<Named<raster::Winding>, 2> windingNames{
+    {{raster::Winding::CounterClockwise, "counter-clockwise"}, {raster::Winding::Clockwise, "clockwise"}}};
+
 /// Whether only PlainRenderer draws a vector.
 bool isPlainOnly(const TestVector& vector) {
-  return vector.list.depthTest != raster::DepthTest::Nearer ||
-         std::any_of(vector.faces.begin(), vector.faces.end(),
-                     [](const VectorFace& face) { return !isUsual(face.face); });
+  return !isUsual(sourceOf(vector)) || std::any_of(vector.faces.begin(), vector.faces.end(),
+                                                   [](const VectorFace& face) { return !isUsual(face.face); });
 }
 
 /// The first version of the rules that has all that a vector uses.
 int rulesOf(const TestVector& vector) {
   const raster::DrawList& list = vector.list;
   const auto culls = [](const raster::Draw& draw) { return draw.cull != raster::Cull::None; };
-  const bool isNew = isPlainOnly(vector) || list.value != raster::PixelValue::ItemIds ||
+  const bool isNew = vector.source || isPlainOnly(vector) || list.value != raster::PixelValue::ItemIds ||
                      std::any_of(list.indexMaps.begin(), list.indexMaps.end(), raster::hasHoles) ||
                      std::any_of(list.draws.begin(), list.draws.end(), culls);
   return isNew ? 2 : 1;
@@ -145,6 +174,45 @@ std::vector<Value> readVertices(const filesystem::path& folder, const std::strin
   std::vector<Value> values(numbers.size() / perValue);
   std::copy(numbers.begin(), numbers.end(), reinterpret_cast<float*>(values.data()));
   return values;
+}
+
+/// Positions of a scene, or, with z as one of four numbers, in clip space.
+void readPositions(const filesystem::path& folder, const std::string& file, raster::DrawList& list) {
+  if (list.clipDepth == raster::ClipDepth::None) {
+    list.positions = readVertices<glm::vec3>(folder, file);
+    return;
+  }
+  for (const glm::vec4& position : readVertices<glm::vec4>(folder, file)) {
+    list.positions.emplace_back(position.x, position.y, position.w);
+    list.clipZ.push_back(position.z);
+  }
+}
+
+/// In clip space a view has one degree of freedom: the direction of rows.
+void requireClipView(const raster::Face& face) {
+  const glm::vec3 zero(0.0F), x(1, 0, 0), y(0, 1, 0), w(0, 0, 1);
+  if (face.eye != zero || face.x != x || (face.y != y && face.y != -y) || face.w != w)
+    throw InputError("a face in clip space has an eye or rows of its own",
+                     "use the eye 0,0,0 and the rows 1,0,0 and 0,0,1, with 0,1,0 or 0,-1,0 as y");
+}
+
+/// 16-bit numbers are read as 32-bit ones.
+std::vector<std::uint32_t> readIndices(const filesystem::path& file, int bits) {
+  if (bits == 32) return readArray<std::uint32_t>(file);
+  const std::vector<std::uint16_t> indices = readArray<std::uint16_t>(file);
+  return {indices.begin(), indices.end()};
+}
+
+raster::Instance readInstance(const Json& json) {
+  const auto numbers = [&](const std::string& key, float otherwise) {
+    glm::vec4 result(otherwise);
+    if (!json.contains(key)) return result;
+    const Json& list = toList(json.at(key), key, 4);
+    for (int k = 0; k < 4; ++k) result[k] = toFloat(list[static_cast<std::size_t>(k)], key);
+    return result;
+  };
+  return {numbers("scale", 1), numbers("offset", 0),
+          static_cast<raster::ItemId>(toInteger(at(json, "id"), "id", 0, UINT32_MAX))};
 }
 
 /// The index maps of a vector, each file of one shape read once.
@@ -169,6 +237,11 @@ raster::Draw readDraw(const Json& json, MapFiles& files, std::vector<raster::Ind
   draw.offset = id(at(json, "offset"), "offset");
   draw.back = toOptional(json, "back", id);
   draw.cull = valueOf(cullNames, toOptional(json, "cull", toText).value_or("none"), "cull");
+  draw.topology = valueOf(topologyNames, toOptional(json, "topology", toText).value_or("triangles"), "topology");
+  draw.restarts = toOptional(json, "restart", toBool).value_or(false);
+  draw.baseVertex = toOptional(json, "base_vertex", id).value_or(0);
+  draw.firstInstance = toOptional(json, "first_instance", id).value_or(0);
+  draw.instances = toOptional(json, "instance_count", id).value_or(0);
   if (const auto file = toOptional(json, "index_map", toFileName)) {
     const auto side = [&](const std::string& key) { return static_cast<int>(toInteger(at(json, key), key, 1, 65536)); };
     draw.indexMap = findMap(files, maps, *file, side("width"), side("height"));
@@ -212,40 +285,62 @@ VectorFace readFace(const Json& vector, const Json& json) {
   return face;
 }
 
+/// Sets the list, and keeps it if assembly changes it.
+void setList(TestVector& vector, raster::DrawList list) {
+  vector.list = isAssembled(list) ? list : assembled(list);
+  if (!isAssembled(list)) vector.source = std::move(list);
+}
+
 TestVector readJson(const filesystem::path& folder, const Json& json) {
   const std::int64_t rules = toInteger(at(json, "rules"), "rules", 1, newestRules);
   TestVector vector;
   vector.name = toText(at(json, "name"), "name");
   vector.catches = toOptional(json, "catches", toText).value_or("");
   vector.origin = toWideVector(at(json, "origin"), "origin");
-  raster::DrawList& list = vector.list;
+  raster::DrawList list;
   list.format.channelBits.clear();
   for (const Json& bits : toList(at(json, "channels"), "channels"))
     list.format.channelBits.push_back(static_cast<int>(toInteger(bits, "channels", 1, 32)));
   list.blend = valueOf(blendNames, toText(at(json, "blend"), "blend"), "blend");
-  list.value = valueOf(valueNames, toOptional(json, "values", toText).value_or("item-ids"), "values");
-  list.depthTest = valueOf(depthTestNames, toOptional(json, "depth_test", toText).value_or("nearer"), "depth_test");
+  const auto named = [&](const auto& names, const std::string& key) {
+    return valueOf(names, toOptional(json, key, toText).value_or(names.front().name), key);
+  };
+  list.depthTest = named(depthTestNames, "depth_test");
+  list.value = named(valueNames, "values");
+  list.clipDepth = named(clipDepthNames, "clip_depth");
+  list.depthPrecision = named(depthPrecisionNames, "depth_precision");
+  list.front = named(windingNames, "front");
+  list.provoking = named(provokingNames, "provoking");
 
   const auto file = [&](const std::string& key) { return toFileName(at(json, key), key); };
-  list.positions = readVertices<glm::vec3>(folder, file("positions"));
+  readPositions(folder, file("positions"), list);
   list.texcoords = readVertices<glm::vec2>(folder, file("texcoords"));
-  list.indices = readArray<std::uint32_t>(folder / file("indices"));
+  list.indexBits = file("indices").ends_with(".u16") ? 16 : 32;
+  list.indices = readIndices(folder / file("indices"), list.indexBits);
+  if (list.value == raster::PixelValue::VertexValues)
+    list.vertexValues = readArray<raster::ItemId>(folder / file("vertex_values"));
+  if (json.contains("instances"))
+    for (const Json& instance : toList(json.at("instances"), "instances"))
+      list.instances.push_back(readInstance(instance));
   MapFiles mapFiles{folder, {}};
   for (const Json& draw : toList(at(json, "draws"), "draws"))
     list.draws.push_back(readDraw(draw, mapFiles, list.indexMaps));
   raster::validate(list);
+  setList(vector, list);
   const std::int64_t background = raster::backgroundId(list.format);
   toInteger(at(json, "background"), "background", background, background);
 
   for (const Json& face : toList(at(json, "faces"), "faces")) {
     vector.faces.push_back(readFace(json, face));
     raster::validate(vector.faces.back().face);
+    if (list.clipDepth != raster::ClipDepth::None) requireClipView(vector.faces.back().face);
   }
   if (vector.faces.empty()) throw InputError("\"faces\" is empty");
   if (rulesOf(vector) > rules)
     throw InputError("the vector uses keys, values or holes (texels of 4294967295) that \"rules\": 1 does not have",
                      "write \"rules\": 2");
   std::set<std::string> names{"vector.json", file("positions"), file("texcoords"), file("indices")};
+  if (!list.vertexValues.empty()) names.insert(file("vertex_values"));
   for (const auto& [map, index] : mapFiles.known) names.insert(std::get<std::string>(map));
   for (const VectorFace& face : vector.faces)
     if (!names.insert(face.ids).second)
@@ -253,21 +348,47 @@ TestVector readJson(const filesystem::path& folder, const Json& json) {
   return vector;
 }
 
-raster::ItemBuffer readIds(const filesystem::path& file, const raster::Scissor& scissor) {
+bool hasPairs(const TestVector& vector) { return sourceOf(vector).value == raster::PixelValue::Pairs; }
+
+/// The values of a face in a file: item IDs, or pairs of 64 bits.
+template <typename Value>
+std::vector<Value> readPixels(const filesystem::path& file, const raster::Scissor& scissor) {
   const raster::InputFile opened = raster::tryOpenFile(file);
   if (!opened)
     throw InputError(file.string(), 0, "is missing or not a file", "a candidate holds one item ID file per face");
   const std::uintmax_t size = filesystem::file_size(file);
-  const std::uint64_t bytes = raster::saturatedProduct(sizeof(raster::ItemId), scissor.width, scissor.height);
+  const std::uint64_t bytes = raster::saturatedProduct(sizeof(Value), scissor.width, scissor.height);
   if (size != bytes)
     throw InputError(file.string(), 0, "holds " + std::to_string(size) + " bytes",
                      std::to_string(scissor.width) + " x " + std::to_string(scissor.height) + " item IDs are " +
                          std::to_string(bytes) + " bytes");
+  std::vector<Value> pixels(static_cast<std::size_t>(bytes / sizeof(Value)));
+  if (std::fread(pixels.data(), 1, bytes, opened.get()) != bytes)
+    throw InputError(file.string(), 0, "cannot be read to its end");
+  return pixels;
+}
+
+raster::ItemBuffer readIds(const TestVector& vector, const filesystem::path& file, const raster::Scissor& scissor) {
+  if (!hasPairs(vector)) return {scissor.width, scissor.height, readPixels<raster::ItemId>(file, scissor)};
+  const raster::PairNumbers numbers(*vector.source);
   raster::ItemBuffer buffer;
   buffer.resize(scissor);
-  if (std::fread(buffer.ids.data(), 1, bytes, opened.get()) != bytes)
-    throw InputError(file.string(), 0, "cannot be read to its end");
+  const std::vector<std::uint64_t> pairs = readPixels<std::uint64_t>(file, scissor);
+  std::transform(pairs.begin(), pairs.end(), buffer.ids.begin(),
+                 [&](std::uint64_t pair) { return numbers.numberOf(pair); });
   return buffer;
+}
+
+/// The words of a face's file: item IDs, or the lower and the upper half of each pair.
+std::vector<std::uint32_t> wordsOf(const TestVector& vector, const raster::ItemBuffer& buffer) {
+  if (!hasPairs(vector)) return buffer.ids;
+  const raster::PairNumbers numbers(*vector.source);
+  std::vector<std::uint32_t> words;
+  for (const raster::ItemId number : buffer.ids) {
+    const std::uint64_t pair = numbers.pairOf(number);
+    words.insert(words.end(), {static_cast<std::uint32_t>(pair), static_cast<std::uint32_t>(pair >> 32)});
+  }
+  return words;
 }
 
 // --- writing ---
@@ -287,10 +408,23 @@ std::string mapFileName(const raster::IndexMap& map, std::size_t index) {
   return "map-" + std::to_string(index) + "-" + std::to_string(map.width) + "x" + std::to_string(map.height) + ".u32";
 }
 
+void writePositions(const filesystem::path& file, const raster::DrawList& list) {
+  if (list.clipDepth == raster::ClipDepth::None) return writeArray(file, list.positions);
+  std::vector<glm::vec4> positions;
+  for (std::size_t v = 0; v < list.positions.size(); ++v)
+    positions.emplace_back(glm::vec2(list.positions[v]), list.clipZ[v], list.positions[v].z);
+  writeArray(file, positions);
+}
+
 Json toJson(const raster::DrawList& list, const raster::Draw& draw) {
   Json json{{"first", draw.first}, {"count", draw.count}, {"offset", draw.offset}};
   json["back"] = draw.back ? Json(*draw.back) : Json();
   if (draw.cull != raster::Cull::None) json["cull"] = nameOf(cullNames, draw.cull);
+  if (draw.topology != raster::Topology::Triangles) json["topology"] = nameOf(topologyNames, draw.topology);
+  if (draw.restarts) json["restart"] = true;
+  if (draw.baseVertex != 0) json["base_vertex"] = draw.baseVertex;
+  if (draw.firstInstance != 0) json["first_instance"] = draw.firstInstance;
+  if (draw.instances != 0) json["instance_count"] = draw.instances;
   json["index_map"] = nullptr;
   if (draw.indexMap) {
     const auto index = static_cast<std::size_t>(*draw.indexMap);
@@ -300,6 +434,11 @@ Json toJson(const raster::DrawList& list, const raster::Draw& draw) {
     json["height"] = map.height;
   }
   return json;
+}
+
+Json toJson(const raster::Instance& instance) {
+  const auto numbers = [](const glm::vec4& v) { return Json{number(v.x), number(v.y), number(v.z), number(v.w)}; };
+  return {{"scale", numbers(instance.scale)}, {"offset", numbers(instance.offset)}, {"id", instance.id}};
 }
 
 Json toJson(const VectorFace& face, const glm::vec3& sharedEye, const std::string& hash) {
@@ -347,7 +486,7 @@ TestVector readVector(const filesystem::path& folder) {
 
 void writeVector(const filesystem::path& folder, const TestVector& vector,
                  std::span<const raster::ItemBuffer> buffers) {
-  const raster::DrawList& list = vector.list;
+  const raster::DrawList& list = sourceOf(vector);
   const raster::Face& first = vector.faces.front().face;
   Json json{{"rules", rulesOf(vector)},
             {"name", vector.name},
@@ -360,22 +499,35 @@ void writeVector(const filesystem::path& folder, const TestVector& vector,
             {"background", raster::backgroundId(list.format)},
             {"positions", "positions.f32"},
             {"texcoords", "texcoords.f32"},
-            {"indices", "indices.u32"}};
+            {"indices", list.indexBits == 16 ? "indices.u16" : "indices.u32"}};
   if (first.sample != raster::SamplePlace::Middle) json["sample"] = nameOf(sampleNames, first.sample);
-  if (list.value != raster::PixelValue::ItemIds) json["values"] = nameOf(valueNames, list.value);
-  if (list.depthTest != raster::DepthTest::Nearer) json["depth_test"] = nameOf(depthTestNames, list.depthTest);
+  const auto addName = [&](const char* key, const auto& names, auto value) {
+    if (value != names.front().value) json[key] = nameOf(names, value);
+  };
+  addName("values", valueNames, list.value);
+  addName("depth_test", depthTestNames, list.depthTest);
+  addName("clip_depth", clipDepthNames, list.clipDepth);
+  addName("depth_precision", depthPrecisionNames, list.depthPrecision);
+  addName("front", windingNames, list.front);
+  addName("provoking", provokingNames, list.provoking);
+  if (!list.vertexValues.empty()) json["vertex_values"] = "vertex-values.u32";
+  for (const raster::Instance& instance : list.instances) json["instances"].push_back(toJson(instance));
   if (!vector.catches.empty()) json["catches"] = vector.catches;
   json["draws"] = Json::array();
   for (const raster::Draw& draw : list.draws) json["draws"].push_back(toJson(list, draw));
   json["faces"] = Json::array();
   for (std::size_t f = 0; f < vector.faces.size(); ++f) {
-    const std::string hash = buffers.empty() ? "" : idsHash(buffers[f].ids);
+    const std::string hash = buffers.empty() ? "" : faceHash(vector, buffers[f]);
     json["faces"].push_back(toJson(vector.faces[f], first.eye, hash));
   }
   writeCandidate(folder, vector, buffers);
-  writeArray(folder / "positions.f32", list.positions);
+  writePositions(folder / "positions.f32", list);
   writeArray(folder / "texcoords.f32", list.texcoords);
-  writeArray(folder / "indices.u32", list.indices);
+  if (list.indexBits == 16)
+    writeArray(folder / "indices.u16", std::vector<std::uint16_t>(list.indices.begin(), list.indices.end()));
+  else
+    writeArray(folder / "indices.u32", list.indices);
+  if (!list.vertexValues.empty()) writeArray(folder / "vertex-values.u32", list.vertexValues);
   for (std::size_t m = 0; m < list.indexMaps.size(); ++m)
     writeArray(folder / mapFileName(list.indexMaps[m], m), list.indexMaps[m].ids);
   // Bytes of names that are not UTF-8 are replaced.
@@ -384,13 +536,18 @@ void writeVector(const filesystem::path& folder, const TestVector& vector,
 
 std::vector<raster::ItemBuffer> readCandidate(const filesystem::path& folder, const TestVector& vector) {
   std::vector<raster::ItemBuffer> buffers;
-  for (const VectorFace& face : vector.faces) buffers.push_back(readIds(folder / face.ids, face.face.scissor));
+  for (const VectorFace& face : vector.faces) buffers.push_back(readIds(vector, folder / face.ids, face.face.scissor));
   return buffers;
 }
 
 void writeCandidate(const filesystem::path& folder, const TestVector& vector,
                     std::span<const raster::ItemBuffer> buffers) {
-  for (std::size_t f = 0; f < buffers.size(); ++f) writeArray(folder / vector.faces[f].ids, buffers[f].ids);
+  for (std::size_t f = 0; f < buffers.size(); ++f)
+    writeArray(folder / vector.faces[f].ids, wordsOf(vector, buffers[f]));
+}
+
+std::string faceHash(const TestVector& vector, const raster::ItemBuffer& buffer) {
+  return idsHash(wordsOf(vector, buffer));
 }
 
 std::string idsHash(std::span<const raster::ItemId> ids) {
@@ -407,7 +564,7 @@ TestVector makeVector(std::string name, std::string catches, raster::DrawList li
   TestVector vector;
   vector.name = std::move(name);
   vector.catches = std::move(catches);
-  vector.list = std::move(list);
+  setList(vector, std::move(list));
   for (std::size_t f = 0; f < faces.size(); ++f) {
     const std::string numbered = faces.size() == 1 ? "front" : "face-" + std::to_string(f);
     const std::string& faceName = names.empty() ? numbered : names[f];

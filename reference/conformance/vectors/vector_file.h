@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <glm/glm.hpp>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -26,11 +27,17 @@ struct TestVector {
   std::string name;
   std::string catches = {};  ///< one line: the faults that it detects; may be empty
   glm::dvec3 origin{0.0};    ///< subtracted from the positions of the scene
-  raster::DrawList list;
+  raster::DrawList list;     ///< assembled (assembly.h)
   std::vector<VectorFace> faces;
+  std::optional<raster::DrawList> source = {};  ///< the list before assembly, if it is another one
 };
 
-/// A vector. Without `names`, its only face is named "front", and several faces are numbered.
+/// The list that a device gets, which the file of a vector holds.
+inline const raster::DrawList& sourceOf(const TestVector& vector) {
+  return vector.source ? *vector.source : vector.list;
+}
+
+/// A vector, with the list assembled. Without `names`, its only face is named "front", and several faces are numbered.
 TestVector makeVector(std::string name, std::string catches, raster::DrawList list, std::vector<raster::Face> faces,
                       const std::vector<std::string>& names = {});
 
@@ -68,6 +75,9 @@ void writeCandidate(const std::filesystem::path& folder, const TestVector& vecto
 
 /// 64-bit FNV-1a over the little-endian bytes of the item IDs, as 16 hexadecimal digits.
 std::string idsHash(std::span<const raster::ItemId> ids);
+
+/// The hash of a face's file.
+std::string faceHash(const TestVector& vector, const raster::ItemBuffer& buffer);
 
 /// The same over the item IDs of all faces, in their order.
 std::string idsHash(std::span<const raster::ItemBuffer> buffers);

@@ -27,6 +27,7 @@ const std::map<std::string, std::string> formulas{
     {"texel", "floor of position = (u N, v M), clamped to the map"},
     {"sums", "offset + texel, clamped or modulo 2^bits"},
     {"word", "the item ID"},
+    {"depth", "as it is stored; else sum of b z/w"},
     {"runner_up", "the next triangle; difference of 1/w"}};
 
 std::string inLine(const Json& value) {

@@ -30,6 +30,12 @@ std::optional<IdOrigin> originIn(const raster::DrawList& list, std::uint32_t num
     if (id < draw.offset || inDraw >= draw.count / 3) return {};
     return IdOrigin{IdOrigin::Kind::Triangle, number, {}, draw.first / 3 + inDraw};
   }
+  if (list.value == raster::PixelValue::VertexValues) {
+    for (std::uint32_t t = draw.first / 3; t < (draw.first + draw.count) / 3; ++t)
+      if (flatValue(list, draw, t) == id) return IdOrigin{IdOrigin::Kind::Triangle, number, {}, t};
+    return {};
+  }
+  if (list.value == raster::PixelValue::PassedSamples) return {};
   if (!draw.indexMap && draw.offset == id) return IdOrigin{IdOrigin::Kind::Offset, number, {}};
   if (!draw.indexMap) return {};
   const ItemId behind = texelUnder(list, draw.offset, id);
@@ -55,7 +61,7 @@ ErrorKind kindOf(const raster::DrawList& list, const std::optional<Fragment>& vi
 }  // namespace
 
 IdOrigin originOf(const raster::DrawList& list, ItemId id, std::optional<std::uint32_t> likely) {
-  if (id == raster::backgroundId(list.format)) return {IdOrigin::Kind::Background, 0, {}};
+  if (id == raster::clearedValue(list)) return {IdOrigin::Kind::Background, 0, {}};
   if (likely)
     if (const auto origin = originIn(list, *likely, id)) return *origin;
   for (std::uint32_t draw = 0; draw < list.draws.size(); ++draw)
@@ -105,7 +111,7 @@ ErrorPixel errorAt(const raster::DrawList& list, const std::string& face,
 ErrorPixel errorAt(const raster::DrawList& list, const VectorFace& face, int column, int row, raster::ItemId found) {
   const std::vector<raster::SnappedTriangle> triangles = raster::snappedTriangles(list, face.face);
   const std::vector<Fragment> fragments = fragmentsAt(list, triangles, column, row);
-  const raster::ItemId expected = fragments.empty() ? raster::backgroundId(list.format) : fragments.front().id;
+  const raster::ItemId expected = fragments.empty() ? raster::clearedValue(list) : fragments.front().id;
   return errorAt(list, face.name, triangles, column, row, expected, found);
 }
 

@@ -23,7 +23,10 @@ Json list(const glm::vec3& v) { return {v.x, v.y, v.z}; }
 Json list(const glm::dvec2& v) { return {v.x, v.y}; }
 Json list(const glm::ivec2& v) { return {v.x, v.y}; }
 
-constexpr std::array<Named<ClipPlane>, 5> clipPlaneNames{{{ClipPlane::Near, "near"},
+constexpr std::array<Named<ClipPlane>, 8> clipPlaneNames{{{ClipPlane::Near, "near"},
+                                                          {ClipPlane::ZeroZ, "z = 0"},
+                                                          {ClipPlane::LeastZ, "z = -w"},
+                                                          {ClipPlane::LargestZ, "z = w"},
                                                           {ClipPlane::Right, "right"},
                                                           {ClipPlane::Left, "left"},
                                                           {ClipPlane::Upper, "top"},
@@ -74,23 +77,26 @@ Json toJson(const Derivation& derivation) {
                 {"draw", other->drawn.draw},
                 {"inverse_depth", other->inverseDepth},
                 {"difference", other->difference}};
-  return {{"triangle", visible.triangle},
-          {"draw", visible.draw},
-          {"vertices", verticesOf(derivation)},
-          {"clip", {{"cut_by", cutBy}, {"piece", derivation.piece}, {"pieces", derivation.pieces}}},
-          {"corners", cornersOf(derivation)},
-          {"sample", list(derivation.sample)},
-          {"area", derivation.area},
-          {"faces_away", visible.facesAway},
-          {"edges", edges},
-          {"weights", derivation.weights},
-          {"inverse_depth", derivation.inverseDepth},
-          {"u", derivation.coordinates.x},
-          {"v", derivation.coordinates.y},
-          {"texel", texel},
-          {"sums", sums},
-          {"word", visible.id},
-          {"runner_up", runnerUp}};
+  Json steps{{"triangle", visible.triangle},
+             {"draw", visible.draw},
+             {"vertices", verticesOf(derivation)},
+             {"clip", {{"cut_by", cutBy}, {"piece", derivation.piece}, {"pieces", derivation.pieces}}},
+             {"corners", cornersOf(derivation)},
+             {"sample", list(derivation.sample)},
+             {"area", derivation.area},
+             {"faces_away", visible.facesAway},
+             {"edges", edges},
+             {"weights", derivation.weights},
+             {"inverse_depth", derivation.inverseDepth},
+             {"u", derivation.coordinates.x},
+             {"v", derivation.coordinates.y},
+             {"texel", texel},
+             {"sums", sums},
+             {"word", visible.id},
+             {"runner_up", runnerUp}};
+  if (derivation.depth) steps["depth"] = *derivation.depth;
+  if (derivation.runnerUp && derivation.runnerUp->depth) steps["runner_up"]["depth"] = *derivation.runnerUp->depth;
+  return steps;
 }
 
 /// The triangles that cover the pixel, nearest first.
@@ -135,7 +141,7 @@ Json explanation(const TestVector& vector, const VectorFace& face, int column, i
   const auto triangles = raster::snappedTriangles(vector.list, face.face);
   const auto fragments = fragmentsAt(vector.list, triangles, column, row);
   const auto derivation = derive(vector.list, face.face, fragments, column, row);
-  const raster::ItemId id = derivation ? derivation->visible.id : raster::backgroundId(vector.list.format);
+  const raster::ItemId id = derivation ? derivation->visible.id : raster::clearedValue(vector.list);
   const auto draw = derivation ? std::optional(derivation->visible.draw) : std::nullopt;
   return {{"face", face.name},
           {"column", column},

@@ -22,7 +22,8 @@ nlohmann::ordered_json viewOf(const raster::Face& face);
 /// - `sample`, `area`, `faces_away`, `edges` (`value`, `kind`), `weights`, `inverse_depth`, `u`, `v`,
 /// - `texel` (`width`, `height`, `position`, `column`, `row`, `index`; null where there is none),
 /// - `sums` (`bits`, `offset`, `texel`, `result`), `word` (the item ID),
-/// - `runner_up` (`triangle`, `draw`, `inverse_depth`, `difference`; null where there is none).
+/// - `runner_up` (`triangle`, `draw`, `inverse_depth`, `difference`; null where there is none),
+/// - `depth`, also of `runner_up`: z/w or the stored depth; only in clip space and where depths are stored.
 nlohmann::ordered_json explanation(const TestVector& vector, const VectorFace& face, int column, int row);
 
 }  // namespace hemitex::reference

@@ -17,12 +17,27 @@ struct Candidate {
   const DeviceTriangle* triangle;
   Region region;
   raster::CoveredSample covered;  ///< by the rules; none where they do not cover the sample
+  double best = 0, worst = 0;     ///< the bounds of its depth, larger where it wins
   bool mayVanish = false;         ///< a device may cull it, or find a hole
+  bool mayBeCut = false;          ///< by the near plane
 
   bool covers() const { return covered.triangle; }
-  double nearest() const { return triangle->depthSlack < 1 ? region.nearest / (1 - triangle->depthSlack) : HUGE_VAL; }
-  double farthest() const { return region.farthest / (1 + triangle->depthSlack); }
 };
+
+bool keepsFarther(raster::DepthTest test) {
+  return test == raster::DepthTest::Farther || test == raster::DepthTest::FartherOrEqual;
+}
+
+/// Bounds the depth of a candidate on all devices.
+void setDepths(const JudgedFace& face, Candidate& candidate) {
+  const double slack = candidate.triangle->depthSlack;
+  const double nearest = slack < 1 ? candidate.region.nearest / (1 - slack) : HUGE_VAL;
+  const double farthest = candidate.region.farthest / (1 + slack);
+  candidate.mayBeCut = nearest > face.nearest;
+  const bool isReversed = keepsFarther(face.list.depthTest);
+  candidate.best = isReversed ? -farthest : nearest;
+  candidate.worst = isReversed ? -nearest : farthest;
+}
 
 const raster::Draw& drawOf(const JudgedFace& face, const DeviceTriangle& triangle) {
   return face.list.draws[triangle.draw];
@@ -47,7 +62,7 @@ TexelRange texelRange(const JudgedFace& face, const Candidate& candidate, int ax
   const double drift = slack / (1 + std::sqrt(1 - slack * slack)) * (high - low);
   const DeviceTriangle& triangle = *candidate.triangle;
   const double error =
-      texelError(face.profile, size, triangle.largest[axis], triangle.nearestDepth, candidate.region.farthest);
+      texelError(face.profile, size, triangle.largest[axis], triangle.nearestDepth, candidate.region.leastInverse);
   return {texelAt((candidate.region.low[axis] - drift) * size - error, size),
           texelAt((candidate.region.high[axis] + drift) * size + error, size)};
 }
@@ -96,6 +111,7 @@ std::vector<Candidate> candidatesAt(const JudgedFace& face, std::span<const Devi
     const auto region = regionAt(*triangle, {sample.x, sample.y}, face.profile.edgeRule);
     if (!region) continue;
     Candidate& candidate = candidates.emplace_back(Candidate{triangle, *region, coveredBy(face, *triangle, sample)});
+    setDepths(face, candidate);
     candidate.mayVanish = (draw.cull != raster::Cull::None && triangle->mayFlip) || mayMeetHole(face, candidate);
   }
   return candidates;
@@ -103,9 +119,9 @@ std::vector<Candidate> candidatesAt(const JudgedFace& face, std::span<const Devi
 
 // --- guaranteed coverage of the sample ---
 
-using Corner = std::tuple<double, double, double>;
+using Corner = std::tuple<double, double, double, double>;
 
-Corner cornerOf(const raster::ViewVertex& vertex) { return {vertex.x, vertex.y, vertex.w}; }
+Corner cornerOf(const raster::ViewVertex& vertex) { return {vertex.x, vertex.y, vertex.w, vertex.z}; }
 
 /// An edge that may pass over the sample, its ends in order.
 struct PassingEdge {
@@ -136,10 +152,10 @@ std::vector<PassingEdge> passingEdges(const JudgedFace& face, const std::vector<
 struct Sheet {
   int winding = 0;           ///< winding number around the sample
   bool hasBoundary = false;  ///< an edge that may pass over the sample has no counterpart
-  double farthest = HUGE_VAL;
+  double worst = HUGE_VAL;
 };
 
-/// A lower bound of the visible 1/w at the sample, 0 where the background may show.
+/// A lower bound of the visible depth at the sample, -HUGE_VAL where the background may show.
 ///
 /// Triangles joined along shared edges move as one mesh. Edges that occur equally often in both directions cancel, and
 /// the rest is the boundary of the mesh. While no boundary edge passes over the sample, the winding number of the mesh
@@ -163,13 +179,13 @@ double certainDepth(const JudgedFace& face, const std::vector<Candidate>& candid
     Sheet& sheet = sheets[groups.find_set(c)];
     if (candidates[c].covers()) sheet.winding += candidates[c].triangle->area > 0 ? 1 : -1;
     // The near plane may clip the part in front of it.
-    sheet.hasBoundary |= hasBoundary[c] != 0 || candidates[c].nearest() > face.nearest;
-    sheet.farthest = std::min(sheet.farthest, candidates[c].farthest());
+    sheet.hasBoundary |= hasBoundary[c] != 0 || candidates[c].mayBeCut;
+    sheet.worst = std::min(sheet.worst, candidates[c].worst);
   }
-  double depth = 0;
+  double depth = -HUGE_VAL;
   for (const Sheet& sheet : sheets)
-    if (sheet.winding != 0 && !sheet.hasBoundary) depth = std::max(depth, sheet.farthest);
-  return depth > face.cleared ? depth : 0;
+    if (sheet.winding != 0 && !sheet.hasBoundary) depth = std::max(depth, sheet.worst);
+  return depth > face.cleared ? depth : -HUGE_VAL;
 }
 
 // --- possible item IDs of a triangle ---
@@ -186,7 +202,7 @@ bool mayGive(const JudgedFace& face, const Candidate& candidate, ItemId id) {
   if (isOpen) return false;
   if (draw.back && id == *draw.back && mayFace(triangle, draw, true)) return true;
   if (!mayFace(triangle, draw, false) && (draw.back || !mayFace(triangle, draw, true))) return false;
-  if (face.list.value == raster::PixelValue::TriangleNumbers) return id == triangleNumber(draw, triangle.number);
+  if (face.list.value != raster::PixelValue::ItemIds) return id == flatValue(face.list, draw, triangle.number);
   if (!draw.indexMap) return id == draw.offset;
   return mayFindTexel(face, candidate, [&](ItemId texel) {
     return !isHoleTexel(texel) && raster::blend(face.list.format, face.list.blend, draw.offset, texel) == id;
@@ -198,30 +214,50 @@ bool haveSameCorners(const DeviceTriangle& a, const DeviceTriangle& b) {
                     [](const auto& p, const auto& q) { return cornerOf(p) == cornerOf(q); });
 }
 
-/// Whether an earlier candidate that cannot vanish has the same corners. Then it covers the same samples at the same
-/// depths on every device, and where equal depths keep the first triangle, this one is never visible.
-bool hasEarlierTwin(const std::vector<Candidate>& candidates, const Candidate& candidate) {
-  return std::any_of(candidates.data(), &candidate, [&](const Candidate& earlier) {
-    return !earlier.mayVanish && haveSameCorners(*earlier.triangle, *candidate.triangle);
+/// Whether an earlier candidate that cannot vanish has the same corners; or a later one, where of equal depths the last
+/// one stays. Then it covers the same samples at the same depths on every device, and this one is never visible.
+bool hasTwinThatStays(raster::DepthTest test, const std::vector<Candidate>& candidates, const Candidate& candidate) {
+  const bool keepsLast = test == raster::DepthTest::NearerOrEqual || test == raster::DepthTest::FartherOrEqual;
+  const Candidate* const first = keepsLast ? &candidate + 1 : candidates.data();
+  const Candidate* const end = keepsLast ? candidates.data() + candidates.size() : &candidate;
+  return std::any_of(first, end, [&](const Candidate& other) {
+    return !other.mayVanish && haveSameCorners(*other.triangle, *candidate.triangle);
   });
 }
 
 /// The candidate that the rules show; null for the background.
-const Candidate* expectedOf(const std::vector<Candidate>& candidates) {
+const Candidate* expectedOf(raster::DepthTest test, const std::vector<Candidate>& candidates) {
   const Candidate* expected = nullptr;
   for (const Candidate& candidate : candidates)
-    if (candidate.covers() && (!expected || isNearer(candidate.covered, expected->covered))) expected = &candidate;
+    if (candidate.covers() && (!expected || passes(test, candidate.covered, expected->covered, raster::isNearer)))
+      expected = &candidate;
   return expected;
+}
+
+/// The smallest difference of depths that a list stores.
+double storedStep(raster::DepthPrecision precision) {
+  switch (precision) {
+    case raster::DepthPrecision::Exact:
+      return 0;
+    case raster::DepthPrecision::Unorm16:
+      return 1.0 / 0xffff;
+    default:
+      return 1.0 / 0xffffff;
+  }
 }
 
 }  // namespace
 
 JudgedFace judgedFace(const raster::DrawList& list, const raster::Face& face, const DeviceProfile& profile) {
-  // Two stored depths 1 - n/w are each off by the error, and differ by n times the difference of 1/w.
-  const double nearDistance = face.nearDistance, error = depthError(profile) / nearDistance;
+  // Two stored depths are each off by the error, and differ by `scale` times the difference of z/w.
+  const raster::DepthRule rule = raster::depthRuleOf(list, face);
+  const double error = std::max(depthError(profile), storedStep(list.depthPrecision)) / rule.scale;
+  const bool isScene = list.clipDepth == raster::ClipDepth::None;
+  // Depths are cleared to 1, or to 0 where the farther fragment passes.
+  const double cleared = keepsFarther(list.depthTest) ? -rule.offset / rule.scale : (rule.offset - 1) / rule.scale;
   std::vector<char> holes;
   for (const raster::IndexMap& map : list.indexMaps) holes.push_back(raster::hasHoles(map));
-  return {list, profile, 2 * error, 1 / nearDistance, error, std::move(holes)};
+  return {list, profile, 2 * error, isScene ? 1 / rule.scale : HUGE_VAL, cleared + error, std::move(holes)};
 }
 
 PixelVerdict judgeId(const JudgedFace& face, std::span<const DeviceTriangle* const> triangles,
@@ -229,18 +265,18 @@ PixelVerdict judgeId(const JudgedFace& face, std::span<const DeviceTriangle* con
   const std::vector<Candidate> candidates = candidatesAt(face, triangles, sample);
   const double certain = certainDepth(face, candidates, {sample.x, sample.y});
   if (found == raster::backgroundId(face.list.format))
-    return certain > 0 ? PixelVerdict::Error : PixelVerdict::Coverage;
+    return certain > -HUGE_VAL ? PixelVerdict::Error : PixelVerdict::Coverage;
 
-  const Candidate* const expected = expectedOf(candidates);
+  const Candidate* const expected = expectedOf(face.list.depthTest, candidates);
   PixelVerdict verdict = PixelVerdict::Error;
   for (const Candidate& candidate : candidates) {
-    const double nearest = candidate.nearest() + face.depthTolerance;
-    if (nearest < certain || !mayGive(face, candidate, found)) continue;
-    if (face.profile.strictDepth && hasEarlierTwin(candidates, candidate)) continue;
+    const double best = candidate.best + face.depthTolerance;
+    if (best < certain || !mayGive(face, candidate, found)) continue;
+    if (face.profile.strictDepth && hasTwinThatStays(face.list.depthTest, candidates, candidate)) continue;
     // Without a texel to differ in, the triangle may show its other side.
     const bool hasTexel = face.list.value == raster::PixelValue::ItemIds && drawOf(face, *candidate.triangle).indexMap;
     if (&candidate == expected) return hasTexel ? PixelVerdict::Texel : PixelVerdict::Depth;
-    const bool passesExpected = candidate.covers() && nearest >= expected->farthest();
+    const bool passesExpected = candidate.covers() && best >= expected->worst;
     if (passesExpected) verdict = PixelVerdict::Depth;
     if (verdict == PixelVerdict::Error) verdict = PixelVerdict::Coverage;
   }

@@ -33,9 +33,11 @@ constexpr std::array<Named<PixelVerdict>, 6> pixelVerdictNames{{{PixelVerdict::E
 struct JudgedFace {
   const raster::DrawList& list;
   const DeviceProfile& profile;
-  double depthTolerance;       ///< of 1/w, between two triangles
-  double nearest;              ///< 1/w at the near plane
-  double cleared;              ///< 1/w that may be stored as the cleared depth, whose fragments the background hides
+  // Depths are -z/w, which is 1/w of a scene, with the other sign where the farther fragment passes. So larger ones
+  // win.
+  double depthTolerance;       ///< between two triangles
+  double nearest;              ///< 1/w at the near plane of a scene
+  double cleared;              ///< may be stored as the cleared depth, whose fragments the background hides
   std::vector<char> hasHoles;  ///< one per index map
 };
 

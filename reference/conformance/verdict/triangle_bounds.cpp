@@ -21,10 +21,14 @@ double sumOfSizes(const glm::vec3& row, const glm::vec3& position, const glm::ve
   return glm::dot(glm::abs(glm::dvec3(row)), sizes);
 }
 
-/// A vertex with its sums of sizes in place of u (picture) and v (depth), so that clipping interpolates them.
-ViewVertex withSizes(const ViewVertex& vertex, const raster::Face& face, const glm::vec3& position) {
+/// A vertex with its sums of sizes in place of u (picture) and v (depth), so that clipping interpolates them. In clip
+/// space there is no vertex stage.
+ViewVertex withSizes(const ViewVertex& vertex, const raster::DrawList& list, const raster::Face& face,
+                     std::uint32_t index) {
+  if (list.clipDepth != raster::ClipDepth::None) return {vertex.x, vertex.y, vertex.w, 0, 0, vertex.z};
+  const glm::vec3 position = list.positions[index];
   const double picture = std::max(sumOfSizes(face.x, position, face.eye), sumOfSizes(face.y, position, face.eye));
-  return {vertex.x, vertex.y, vertex.w, picture, sumOfSizes(face.w, position, face.eye)};
+  return {vertex.x, vertex.y, vertex.w, picture, sumOfSizes(face.w, position, face.eye), vertex.z};
 }
 
 /// The snapping unit of a device in sub-pixels of the rules.
@@ -51,16 +55,16 @@ double looseReachOf(const DeviceProfile& profile, double error) {
 /// Places vertices on the viewport of a face.
 struct Placement {
   const DeviceProfile& profile;
-  int resolution;
-  double roundoff;  ///< relative to sums of sizes
+  glm::ivec2 pixels;  ///< of the viewport
+  double roundoff;    ///< relative to sums of sizes
 
   /// Relative error of w.
   double depthSlack(const ViewVertex& sizes) const { return roundoff * sizes.v / sizes.w; }
 
   /// The error of q = x/w in sub-pixels: that of x and of w, then of the division and the viewport.
-  double error(double q, const ViewVertex& sizes) const {
+  double error(double q, int side, const ViewVertex& sizes) const {
     const double slack = depthSlack(sizes);
-    const double unit = 128.0 * resolution;
+    const double unit = 128.0 * side;
     if (slack >= 0.5) return 2 * raster::guardBand * unit;
     const double relative = (roundoff * sizes.u / sizes.w + std::abs(q) * slack) / (1 - slack);
     return unit * (relative + roundoff * (std::abs(q) + 1));
@@ -71,7 +75,7 @@ struct Placement {
     glm::dvec2 reach;
     const glm::dvec2 q(view.x / view.w, view.y / view.w);
     for (int axis = 0; axis < 2; ++axis) {
-      const double position = raster::subPixels(q[axis], resolution), offBy = error(q[axis], sizes);
+      const double position = raster::subPixels(q[axis], pixels[axis]), offBy = error(q[axis], pixels[axis], sizes);
       reach[axis] = loose ? looseReachOf(profile, offBy) : reachOf(profile, position, offBy, std::nearbyint(position));
     }
     return reach;
@@ -102,6 +106,16 @@ bool complete(DeviceTriangle& triangle) {
   return triangle.area != 0 || change > 0;
 }
 
+/// Whether a plane of z in clip space cuts off a corner.
+bool leavesDepthRange(const raster::DrawList& list, const std::array<ViewVertex, 3>& corners) {
+  using enum raster::ClipPlane;
+  const auto planes = raster::clipPlanes(list.clipDepth);
+  return std::any_of(planes.begin(), planes.end(), [&](raster::ClipPlane plane) {
+    const bool isOfZ = plane == ZeroZ || plane == LeastZ || plane == LargestZ;
+    return isOfZ && raster::cuts(plane, corners, 0);
+  });
+}
+
 /// Whether the triangle is inside the view for all errors of its vertices. A device may clip any other triangle
 /// anywhere between the view and the guard band.
 bool staysInView(const std::array<ViewVertex, 3>& corners, const std::array<ViewVertex, 3>& sizes, double nearDistance,
@@ -130,12 +144,15 @@ Clipped clipTriangle(const raster::DrawList& list, const raster::Face& face, std
   if (!raster::areFinite(corners)) return {};
   std::array<ViewVertex, 3> sizes;
   for (std::size_t k = 0; k < 3; ++k)
-    sizes[k] = withSizes(corners[k], face, list.positions[list.indices[3 * std::size_t{t} + k]]);
+    sizes[k] = withSizes(corners[k], list, face, list.indices[3 * std::size_t{t} + k]);
   glm::dvec2 largest(0.0);
   for (const ViewVertex& corner : corners) largest = glm::max(largest, glm::abs(glm::dvec2(corner.u, corner.v)));
   const double nearDistance = face.nearDistance;
-  if (!loose || staysInView(corners, sizes, nearDistance, roundoff))
-    return {raster::clip(corners, nearDistance), raster::clip(sizes, nearDistance), false, largest};
+  const auto clipped = [&](const std::array<ViewVertex, 3>& triangle, double smallest) {
+    return raster::clip(triangle, smallest, list.clipDepth);
+  };
+  if (!loose || (staysInView(corners, sizes, nearDistance, roundoff) && !leavesDepthRange(list, corners)))
+    return {clipped(corners, nearDistance), clipped(sizes, nearDistance), false, largest};
 
   const double picture = std::max({sizes[0].u, sizes[1].u, sizes[2].u});
   const double depth = std::max({sizes[0].v, sizes[1].v, sizes[2].v});
@@ -144,17 +161,17 @@ Clipped clipTriangle(const raster::DrawList& list, const raster::Face& face, std
     corner.v = depth;
   }
   const double looseNear = std::max(nearDistance / 2, nearDistance - roundoff * depth);
-  return {raster::clip(corners, looseNear), raster::clip(sizes, looseNear), true, largest};
+  return {clipped(corners, looseNear), clipped(sizes, looseNear), true, largest};
 }
 
 /// Triangle (0, k - 1, k) of the fan of a polygon.
-DeviceTriangle fanTriangle(const raster::Face& face, const Clipped& clipped, std::size_t k,
-                           const Placement& placement) {
+DeviceTriangle fanTriangle(const raster::DrawList& list, const raster::Face& face, const Clipped& clipped,
+                           std::size_t k, const Placement& placement) {
   const std::array<ViewVertex, 3> fan = raster::fanTriangle(clipped.polygon, k);
   const std::array<ViewVertex, 3> sizes = raster::fanTriangle(clipped.sizes, k);
   std::array<raster::SnappedPoint, 3> corners;
-  for (std::size_t j = 0; j < 3; ++j) corners[j] = raster::snap(fan[j], face.resolution);
-  DeviceTriangle triangle{raster::snappedTriangle(face, fan, corners)};
+  for (std::size_t j = 0; j < 3; ++j) corners[j] = raster::snap(face, fan[j]);
+  DeviceTriangle triangle{raster::snappedTriangle(list, face, fan, corners)};
   for (std::size_t j = 0; j < 3; ++j) {
     triangle.reaches[j] = placement.reach(fan[j], sizes[j], clipped.isLoose);
     triangle.depthSlack = std::max(triangle.depthSlack, placement.depthSlack(sizes[j]));
@@ -167,10 +184,10 @@ DeviceTriangle fanTriangle(const raster::Face& face, const Clipped& clipped, std
 
 // --- the sample's box ---
 
-/// A point of a triangle on the screen; 1/w, u/w and v/w are linear there.
+/// A point of a triangle on the screen; 1/w, u/w, v/w and z/w are linear there.
 struct Point {
   glm::dvec2 position;
-  glm::dvec3 overW;  ///< 1/w, u/w, v/w
+  glm::dvec4 overW;  ///< 1/w, u/w, v/w, -z/w
 };
 
 /// A triangle cut by the four sides of a box. Each side adds a corner to a convex polygon. Rounding can make the
@@ -235,12 +252,13 @@ bool isBeyondEdge(const DeviceTriangle& triangle, const glm::dvec2& sample, cons
 std::vector<DeviceTriangle> placeTriangles(const raster::DrawList& list, const raster::Face& face,
                                            const DeviceProfile& profile, bool loose,
                                            const std::function<bool(const DeviceTriangle&)>& isWanted) {
-  const Placement placement{profile, face.resolution, profile.vertexError * 0x1p-24};
+  const raster::Viewport viewport = raster::viewportOf(face);
+  const Placement placement{profile, {viewport.columns, viewport.rows}, profile.vertexError * 0x1p-24};
   std::vector<DeviceTriangle> triangles;
   for (const DrawnTriangle& drawn : drawnTriangles(list)) {
     const Clipped clipped = clipTriangle(list, face, drawn.triangle, loose, placement.roundoff);
     for (std::size_t k = 2; k < clipped.polygon.count; ++k) {
-      DeviceTriangle triangle = fanTriangle(face, clipped, k, placement);
+      DeviceTriangle triangle = fanTriangle(list, face, clipped, k, placement);
       triangle.number = drawn.triangle;
       triangle.draw = drawn.draw;
       if (complete(triangle) && isWanted(triangle)) triangles.push_back(triangle);
@@ -261,21 +279,22 @@ std::optional<Region> regionAt(const DeviceTriangle& triangle, const glm::dvec2&
   Polygon polygon;
   for (std::size_t k = 0; k < 3; ++k) {
     const ViewVertex& vertex = triangle.vertices[k];
-    polygon.push_back({triangle.corner(k), glm::dvec3(1, vertex.u, vertex.v) / vertex.w});
+    polygon.push_back({triangle.corner(k), glm::dvec4(1, vertex.u, vertex.v, -vertex.z) / vertex.w});
   }
   for (int axis = 0; axis < 2; ++axis)
     for (const double sign : {1.0, -1.0})
       polygon = cut(polygon, axis, sign, sample[axis] + sign * (triangle.reach[axis] + pad));
   if (polygon.empty()) return {};
 
-  const glm::dvec3& start = polygon[0].overW;
+  const glm::dvec4& start = polygon[0].overW;
   const glm::dvec2 texture = glm::dvec2(start.y, start.z) / start.x;
-  Region region{start.x, start.x, texture, texture};
+  Region region{start.w, start.w, start.x, texture, texture};
   for (const Point& point : polygon) {
-    const glm::dvec3& overW = point.overW;
+    const glm::dvec4& overW = point.overW;
     const glm::dvec2 coordinates = glm::dvec2(overW.y, overW.z) / overW.x;
-    region.nearest = std::max(region.nearest, overW.x);
-    region.farthest = std::min(region.farthest, overW.x);
+    region.nearest = std::max(region.nearest, overW.w);
+    region.farthest = std::min(region.farthest, overW.w);
+    region.leastInverse = std::min(region.leastInverse, overW.x);
     region.low = glm::min(region.low, coordinates);
     region.high = glm::max(region.high, coordinates);
   }

@@ -59,7 +59,8 @@ std::vector<DeviceTriangle> placeTriangles(const raster::DrawList& list, const r
 
 /// Bounds of depth and texture coordinates of a triangle at a sample.
 struct Region {
-  double nearest, farthest;  ///< 1/w
+  double nearest, farthest;  ///< -z/w: 1/w of a scene
+  double leastInverse;       ///< of 1/w
   glm::dvec2 low, high;      ///< (u, v)
 };
 

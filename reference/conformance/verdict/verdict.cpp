@@ -96,7 +96,7 @@ FaceVerdict judgeFace(const raster::DrawList& list, const VectorFace& vectorFace
     return std::find(face.pixels.begin(), face.pixels.end(), PixelVerdict::Error) != face.pixels.end();
   };
   const raster::Face& view = vectorFace.face;
-  if (list.depthTest != raster::DepthTest::Nearer || !isUsual(view)) return face;
+  if (list.value == raster::PixelValue::PassedSamples) return face;
   if (anyError()) judgeErrors(list, view, profile, false, face);
   if (profile.looseClipping && anyError()) judgeErrors(list, view, profile, true, face);
   return face;

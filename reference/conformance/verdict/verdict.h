@@ -4,10 +4,9 @@
 ///
 /// A triangle that may cover the sample (triangle_bounds.h) explains the item IDs that it may produce. Its depth must
 /// be able to pass the depth test against all guaranteed coverage of the sample. The background is explained without
-/// guaranteed coverage. A triangle that a device may cull, or whose texel may be a hole, guarantees none. No
-/// difference is explained with another depth test than Nearer, in viewports that are no squares, and with samples at
-/// corners of pixels. Each bound is
-/// a worst case, so a device within the profile has no errors.
+/// guaranteed coverage. A triangle that a device may cull, or whose texel may be a hole, guarantees none.
+/// Counts of samples that passed are not explained. Each bound is a worst case, so a device within the profile has no
+/// errors.
 #pragma once
 
 #include <array>

@@ -101,7 +101,7 @@ std::unique_ptr<OpenGlContext> openDevice(const std::string& name) {
 OpenGlRenderer::OpenGlRenderer(const raster::DrawList& list, OpenGlPath path, const std::string& name)
     : list_(list), context_(openDevice(name)) {
   raster::validate(list);
-  raster::requireNearest(list);
+  raster::requireUsual(list);
   const OpenGlContext::Use use(*context_);
   pipeline_ = makePipeline(list_, path);
   if (pipeline_->textureTarget() != GL_NONE) textures_ = makeTextures(list.indexMaps, *pipeline_);

@@ -175,7 +175,7 @@ void VulkanRenderer::draw(std::span<const Face> faces, std::span<const std::uint
 std::unique_ptr<raster::ItemBufferRenderer> makeVulkanRenderer(const raster::DrawList& list,
                                                                const std::string& name) try {
   raster::validate(list);
-  raster::requireNearest(list);
+  raster::requireUsual(list);
   return std::make_unique<VulkanRenderer>(list, name);
 } catch (const vk::SystemError& error) {
   throw failure(error);

@@ -1,4 +1,4 @@
-// averageOverElements integrates pixels exactly for all discretizations.
+// meansOfMap integrates pixels exactly for all discretizations.
 #include "radiosity/discretization/material_averages.h"
 
 #include <catch2/catch.hpp>
@@ -62,8 +62,47 @@ const std::array<glm::dvec3, 4> unitSquare{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0,
 
 }  // namespace
 
-TEST_CASE("averageOverElements of an image with one pixel per texel gives each element its pixel, top row at v = 1",
-          "[maps]") {
+TEST_CASE("meansOfMap multiplies an image by the colours of corners: the mean of both over an element", "[maps]") {
+  Scene scene = sceneOf({parallelogram("a", {0, 0, 0}, {1, 0, 0}, {0, 1, 0})});
+  Surface& surface = scene.surfaces[0];
+  surface.hasColours = true;
+  // The colour is u, and the image is black for u below a half: the mean of u over the right half is 3/8.
+  for (Triangle& triangle : surface.triangles)
+    for (std::size_t k = 0; k < 3; ++k) {
+      triangle.texcoord[k] = triangle.chart[k];
+      triangle.colour[k] = glm::vec3(static_cast<float>(triangle.chart[k].x), 1, 0);
+    }
+  const auto means = [&](int texels) { return discretize(scene, {.texels = texels}).mappedReflectance; };
+  const glm::dvec3 factor = scene.materials[0].reflectance;
+  CHECK(areClose(means(1)[0], factor * glm::dvec3(0.5, 1, 0), 1e-12));
+  CHECK(areClose(means(2)[1], factor * glm::dvec3(0.75, 1, 0), 1e-12));
+  scene.materials[0].reflectanceMap = 0;
+  scene.images = {Image{2, 1, {glm::dvec3(0), glm::dvec3(1)}}};
+  CHECK(areClose(means(1)[0], factor * glm::dvec3(0.375, 0.5, 0), 1e-12));
+  CHECK(areClose(means(4)[2], factor * glm::dvec3(0.625, 1, 0), 1e-12));
+}
+
+TEST_CASE("meansOfMap clamps, mirrors and moves texture coordinates as the sampler says", "[maps]") {
+  const auto meanAt = [](const glm::dvec2& low, const glm::dvec2& high, const Sampler& sampler) {
+    Surface surface = parallelogram("a", {0, 0, 0}, {1, 0, 0}, {0, 1, 0});
+    for (Triangle& triangle : surface.triangles)
+      for (std::size_t k = 0; k < 3; ++k) triangle.texcoord[k] = low + triangle.chart[k] * (high - low);
+    return averages(shownOn(surface, {2, 1, {glm::dvec3(0), glm::dvec3(1)}, sampler}), 1)[0].x;
+  };
+  const Sampler clamp{.wrap = {Wrap::Clamp, Wrap::Clamp}}, mirror{.wrap = {Wrap::Mirror, Wrap::Mirror}};
+  CHECK(meanAt({0, 0}, {4, 4}, clamp) == Approx(0.875));
+  CHECK(meanAt({-3, -3}, {1, 1}, clamp) == Approx(0.125));
+  CHECK(meanAt({1e15, 0}, {1e15 + 4, 1}, clamp) == Approx(1));
+  CHECK(meanAt({1.5, 0}, {2.5, 1}, mirror) == Approx(0).margin(1e-12));
+  CHECK(meanAt({1000000.5, 0}, {1000001.5, 1}, mirror) == Approx(1));
+  CHECK(meanAt({-0.5, 0}, {0.5, 1}, mirror) == Approx(0).margin(1e-12));
+  CHECK(meanAt({0.5, 0}, {1.5, 1}, {}) == Approx(0.5));
+  Sampler moved;
+  moved.place = glm::dmat3x2(glm::dvec2(0.5, 0), glm::dvec2(0, 1), glm::dvec2(0.5, 0));
+  CHECK(meanAt({0, 0}, {1, 1}, moved) == Approx(1));
+}
+
+TEST_CASE("meansOfMap of an image with one pixel per texel gives each element its pixel, top row at v = 1", "[maps]") {
   const Image image = randomImage(5, 5, 1);
   const std::vector<glm::dvec3> mean = averages(shownOn(quad("q", unitSquare), image), 5);
   for (int row = 0; row < 5; ++row)
@@ -71,7 +110,7 @@ TEST_CASE("averageOverElements of an image with one pixel per texel gives each e
       CHECK(areClose(mean[std::size_t(row * 5 + column)], image.pixels[std::size_t((4 - row) * 5 + column)], 1e-14));
 }
 
-TEST_CASE("averageOverElements splits an element by area at a pixel's border", "[maps]") {
+TEST_CASE("meansOfMap splits an element by area at a pixel's border", "[maps]") {
   // Three columns of pixels, 0, 3 and 9, over two elements: 2/3 of 0 and 1/3 of 3; 1/3 of 3 and 2/3 of 9.
   const Image image{3, 1, {glm::dvec3(0), glm::dvec3(3), glm::dvec3(9)}};
   const std::vector<glm::dvec3> mean = averages(shownOn(quad("q", unitSquare), image), 2);
@@ -81,7 +120,7 @@ TEST_CASE("averageOverElements splits an element by area at a pixel's border", "
   }
 }
 
-TEST_CASE("averageOverElements keeps the flux of a painted light at all discretizations", "[maps]") {
+TEST_CASE("meansOfMap keeps the flux of a painted light at all discretizations", "[maps]") {
   for (const Surface& surface : tableOfSurfaces()) {
     Scene scene = shownOn(surface, randomImage(37, 23, 2));
     const glm::dvec3 whole = flux(scene, 1);
@@ -92,13 +131,13 @@ TEST_CASE("averageOverElements keeps the flux of a painted light at all discreti
   }
 }
 
-TEST_CASE("averageOverElements does not miss a single bright pixel of a large image", "[maps]") {
+TEST_CASE("meansOfMap does not miss a single bright pixel of a large image", "[maps]") {
   Image image{512, 512, std::vector<glm::dvec3>(std::size_t{512} * 512)};
   image.pixels[100 * 512 + 300] = glm::dvec3(512.0 * 512.0);
   CHECK(areClose(flux(shownOn(quad("q", unitSquare), image), 4), glm::dvec3(1), 1e-12));
 }
 
-TEST_CASE("averageOverElements repeats textures: coordinates moved by whole tiles show the same", "[maps]") {
+TEST_CASE("meansOfMap repeats textures: coordinates moved by whole tiles show the same", "[maps]") {
   const Image image = randomImage(8, 5, 3);
   Surface moved = bump(4);
   scaleTexcoords(moved, {1, 1}, {-3, 0x1p40});  // the coordinates are quarters, so that nothing is rounded
@@ -107,7 +146,7 @@ TEST_CASE("averageOverElements repeats textures: coordinates moved by whole tile
   for (std::size_t e = 0; e < here.size(); ++e) CHECK(areClose(there[e], here[e], 1e-13));
 }
 
-TEST_CASE("averageOverElements of a tiled image gives its mean over elements of whole tiles, for any number of tiles",
+TEST_CASE("meansOfMap of a tiled image gives its mean over elements of whole tiles, for any number of tiles",
           "[maps]") {
   // Up to 1e9 x 1e9 tiles: the image is halved to a single pixel before that many are clipped.
   const Image image = randomImage(6, 5, 4);

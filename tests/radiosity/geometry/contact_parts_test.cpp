@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <catch2/catch.hpp>
-#include <numeric>
 #include <random>
 
 #include "raster/base/cross.h"
@@ -30,10 +29,17 @@ bool contains(std::span<const glm::dvec2> corners, const glm::dvec2& point, doub
   return true;
 }
 
-std::vector<std::uint32_t> allNumbers(std::size_t count) {
-  std::vector<std::uint32_t> numbers(count);
-  std::iota(numbers.begin(), numbers.end(), 0U);
-  return numbers;
+/// The parts of triangle `number` among all others, of which later ones cover. No shell is a skin.
+std::vector<ContactPart> partsOf(const std::vector<TrianglePositions>& triangles, const Shells& shells,
+                                 std::uint32_t number) {
+  std::vector<NumberedTriangle> others;
+  std::vector<std::int64_t> ranks;
+  for (std::uint32_t t = 0; t < triangles.size(); ++t) {
+    if (t != number) others.push_back({t, triangles[t]});
+    ranks.push_back(t);
+  }
+  return contactParts(triangles[number], number, facesInPlace(triangles[number], others, tolerance),
+                      {shells, std::vector<bool>(shells.kinds.size()), ranks});
 }
 
 }  // namespace
@@ -59,8 +65,7 @@ TEST_CASE("contactParts fill a triangle and agree with each of its points", "[co
     }
     const Shells shells = findShells(triangles);
     for (std::uint32_t t = 0; t < triangles.size(); ++t) {
-      const std::vector<ContactPart> parts =
-          contactParts(triangles, shells, t, allNumbers(triangles.size()), tolerance);
+      const std::vector<ContactPart> parts = partsOf(triangles, shells, t);
       double area = 0;
       for (const ContactPart& part : parts) area += areaOf(part.corners);
       if (!parts.empty()) CHECK(area == Approx(0.5).epsilon(1e-9));
@@ -95,8 +100,7 @@ TEST_CASE("contactParts ignore faces that are near, tilted or beside each other"
   const TrianglePositions one{glm::dvec3(0, 0, 0), {1, 0, 0}, {0, 1, 0}};
   const auto isAlone = [&](const TrianglePositions& other) {
     const std::vector<TrianglePositions> triangles{one, other};
-    const std::vector<ContactPart> parts = contactParts(triangles, findShells(triangles), 0, allNumbers(2), tolerance);
-    return parts.empty();
+    return partsOf(triangles, findShells(triangles), 0).empty();
   };
   CHECK_FALSE(isAlone({glm::dvec3(0, 0, 0), {0, 1, 0}, {1, 0, 0}}));
   CHECK_FALSE(isAlone({glm::dvec3(0, 0, 0.9e-6), {0, 1, 0.9e-6}, {1, 0, 0.9e-6}}));
@@ -113,8 +117,17 @@ TEST_CASE("contactParts leave solids on sheets alone", "[contacts]") {
       {a, c, b}, {a, b, top}, {b, c, top}, {c, a, top}, {glm::dvec3(-1, -1, 0), {4, -1, 0}, {-1, 4, 0}}};
   const Shells shells = findShells(triangles);
   REQUIRE(shells.kindOf(0) == ShellKind::Solid);
-  for (const std::uint32_t t : {0U, 4U}) {
-    const std::vector<ContactPart> parts = contactParts(triangles, shells, t, allNumbers(5), tolerance);
-    CHECK(parts.empty());
-  }
+  for (const std::uint32_t t : {0U, 4U}) CHECK(partsOf(triangles, shells, t).empty());
+}
+
+TEST_CASE("facesInPlace say which share of a triangle lies in the place of another", "[contacts]") {
+  const TrianglePositions one{glm::dvec3(0, 0, 0), {2, 0, 0}, {0, 2, 0}};
+  const auto shareOf = [&](const TrianglePositions& other) {
+    const std::vector<FaceInPlace> faces = facesInPlace(one, std::vector<NumberedTriangle>{{7, other}}, tolerance);
+    return faces.empty() ? 0 : faces.front().share;
+  };
+  CHECK(shareOf(one) == Approx(1).epsilon(1e-12));
+  CHECK(shareOf({glm::dvec3(0, 0, 0), {0, 2, 0}, {2, 0, 0}}) == Approx(1).epsilon(1e-12));
+  CHECK(shareOf({glm::dvec3(0, 0, 0), {1, 0, 0}, {0, 1, 0}}) == Approx(0.25).epsilon(1e-12));
+  CHECK(shareOf({glm::dvec3(3, 0, 0), {4, 0, 0}, {3, 1, 0}}) == 0);
 }

@@ -295,7 +295,6 @@ TEST_CASE("loadScene tells what a file of a mesh has that is not read", "[meshes
            {"a.vtu", "<html></html>", "no element VTKFile"},
            {"a.vtu", "<VTKFile", "is no XML"},
            {"a.vtk", vtk + "STRUCTURED_GRID\n", "STRUCTURED_GRID is no mesh"},
-           {"a.vtk", vtk + "POLYDATA\nTRIANGLE_STRIPS 1 4\n", "strips of triangles"},
            {"a.vtk",
             vtk + "UNSTRUCTURED_GRID\nPOINTS 4 float\n0 0 0 1 0 0 0 1 0 0 0 1\nCELLS 1 5\n4 0 1 2 3\n"
                   "CELL_TYPES 1\n10\n",

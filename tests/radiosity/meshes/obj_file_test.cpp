@@ -85,7 +85,6 @@ TEST_CASE("parseObj throws InputError with the line of an error", "[obj]") {
       {triangle + "f 1/-1 2/-1 3/-1\n", 4, "index -1 is out of range: there are 0 texture coordinates"},
       {triangle + "f 1//0 2//0 3//0\n", 4, "index 0"},
       {triangle + "f 1/1/1/1 2 3\n", 4, "'1/1' is not an index"},
-      {triangle + "f 1 2 3 \\\n1\n", 4, "'\\' is not an index"},
   }));
   CAPTURE(text);
   try {
@@ -169,9 +168,25 @@ TEST_CASE("parseObj reads faces with more corners than a byte can count", "[obj]
   CHECK(obj.polygons[0].cornerCount == 1000);
 }
 
-TEST_CASE("parseObj ignores a weight, a colour or a colour with alpha behind a position", "[obj]") {
-  const PolygonMesh obj = parseObj("v 1 2 3 0.25 0.5 1\nv 1 2 3\nv 1 2 3 1\nv 1 2 3 1 0 0 1\n", "");
-  CHECK(obj.positions == std::vector<glm::dvec3>(4, {1, 2, 3}));
+TEST_CASE("parseObj reads colours of vertices as sRGB, and names weights", "[obj]") {
+  const PolygonMesh obj = parseObj("v 1 2 3\nv 1 2 3 0 0.5 1\nv 1 2 3 1\nv 1 2 3 1 0 0 1\nv 1 2 3 2\n", "");
+  CHECK(obj.positions == std::vector<glm::dvec3>(5, {1, 2, 3}));
+  const float middle = static_cast<float>(std::pow((0.5 + 0.055) / 1.055, 2.4));
+  CHECK(glm::distance(obj.colours[1], glm::vec3(0, middle, 1)) < 1e-6F);
+  CHECK((obj.colours[0] == glm::vec3(1) && obj.colours[2] == glm::vec3(1) && obj.colours[4] == glm::vec3(1)));
+  CHECK(obj.colours[3] == glm::vec3(1, 0, 0));
+  REQUIRE(obj.warnings.size() == 1);
+  CHECK(obj.warnings[0] == "a vertex has a fourth coordinate, which is left out (line 5, and perhaps others)");
+}
+
+TEST_CASE("parseObj joins lines that end with a backslash, and names the first of them", "[obj]") {
+  const std::string vertices = "v 0 0 \\\n0\nv 1\\\r\n0 0\nv 1 1 0\n# C:\\\n";
+  const PolygonMesh obj = parseObj(vertices + "f 1 2 \\  \n \\\n3\n", "");
+  CHECK(obj.positions.size() == 3);
+  REQUIRE(obj.polygons.size() == 1);
+  CHECK(obj.polygons[0].line == 7);
+  CHECK_THROWS_WITH(parseObj(vertices + "f 1 2 \\\n x\n", "a.obj"), Catch::Contains("a.obj:7: 'x'"));
+  CHECK(parseObj(vertices + "f 1 2 3\\", "").polygons.size() == 1);
 }
 
 TEST_CASE("parseObj puts faces with the same group and material into one section, wherever they are", "[obj]") {

@@ -1,4 +1,5 @@
-// resolveContacts and Solids: the light of scenes whose faces touch, overlap and coincide, in any order and place.
+// Contacts and what is inside solids: the light of scenes whose faces touch and overlap, in any order and place.
+// place.
 #include "radiosity/scene/contacts.h"
 
 #include <algorithm>
@@ -6,15 +7,20 @@
 #include <functional>
 #include <map>
 #include <random>
-#include <sstream>
 
 #include "radiosity/discretization/discretize.h"
+#include "radiosity/discretization/exposure.h"
+#include "radiosity/discretization/patch_points.h"
+#include "radiosity/form_factors/scene_form_factors.h"
 #include "radiosity/light/light.h"
+#include "radiosity/scene/scene_edits.h"
+#include "radiosity/scene/surface_names.h"
 #include "tests/support/box_text.h"
+#include "tests/support/lattice_boxes.h"
 
 using namespace hemitex;
 using namespace hemitex::radiosity;
-using tests::BoxText;
+using tests::BoxText, tests::LatticeBoxes, tests::latticeBoxes;
 
 namespace {
 
@@ -62,8 +68,9 @@ struct Solved {
 };
 
 /// Areas and fluxes are in units of the scene before it was placed.
-Solved solved(const BoxText& text, const Standing& place = places[0], const glm::dvec3& sky = glm::dvec3(0)) {
-  Scene scene = placed(text, place).load({.sides = Sides::One}, materials);
+Solved solved(const BoxText& text, const Standing& place = places[0], const glm::dvec3& sky = glm::dvec3(0),
+              const SceneSettings& settings = {}) {
+  Scene scene = placed(text, place).load(settings, materials);
   scene.outside.sky = sky;
   const Discretization discretization = discretize(scene, {.texelSize = 0.4 * place.scale});
   const Light light =
@@ -95,6 +102,17 @@ void forEachOrder(const BoxText& text, const Check& check) {
   }
 }
 
+/// Calls check(order, place) for all orders as they are, and for all places with one order each.
+template <typename Check>
+void forEachOrderAndPlace(const BoxText& text, const Check& check) {
+  forEachOrder(text, [&](const BoxText& order) { check(order, places[0]); });
+  BoxText order = text;
+  for (std::size_t i = 1; i < places.size(); ++i) {
+    std::rotate(order.parts.begin(), order.parts.begin() + 1, order.parts.end());
+    check(order, places[i]);
+  }
+}
+
 bool hasWarning(const Solved& solved, const std::string& text) {
   return std::any_of(solved.warnings.begin(), solved.warnings.end(),
                      [&](const std::string& warning) { return warning.find(text) != std::string::npos; });
@@ -116,14 +134,13 @@ BoxText zones(bool hasSecond) {
 
 TEST_CASE("Rooms that share a wall of two faces are lit as if alone", "[contacts]") {
   const double alone = solved(zones(false)).lit.at("A").flux;
-  for (const Standing& place : places)
-    forEachOrder(zones(true), [&](const BoxText& text) {
-      INFO(place.name << ", " << text.parts[0].name << " first");
-      const Solved both = solved(text, place);
-      CHECK(both.lit.at("A").flux == Approx(alone).epsilon(0.003));
-      CHECK(both.lit.at("B").flux < 1e-4 * alone);
-      CHECK(both.lostToBacks < 0.002);
-    });
+  forEachOrderAndPlace(zones(true), [&](const BoxText& text, const Standing& place) {
+    INFO(place.name << ", " << text.parts[0].name << " first");
+    const Solved both = solved(text, place);
+    CHECK(both.lit.at("A").flux == Approx(alone).epsilon(0.003));
+    CHECK(both.lit.at("B").flux < 1e-4 * alone);
+    CHECK(both.lostToBacks < 0.002);
+  });
 }
 
 TEST_CASE("A sheet of two faces shows each side the face that looks there", "[contacts]") {
@@ -186,20 +203,19 @@ TEST_CASE("Solids in solids, and solids that are pushed through others, hide wha
   const BoxText nested = scene({outer, {{-1.2, 0, -1.2}, {-0.6, 0.2, -0.6}}});
   const BoxText through = scene({outer, {{-1.7, 0.4, -1.1}, {-0.1, 0.6, -0.7}}});
   const double footprint = 1.02 * 0.93;
-  for (const Standing& place : places)
-    for (const BoxText* text : {&nested, &through})
-      forEachOrder(*text, [&](const BoxText& order) {
-        INFO(place.name << ", " << order.parts[0].name << " first, " << (text == &nested ? "nested" : "through"));
-        const Solved furnace = solved(order, place);
-        CHECK(furnace.lit.at("room").area == Approx(80 - footprint).epsilon(1e-6));
-        CHECK(furnace.lostToBacks < 1e-4);
-        for (const auto& [name, lit] : furnace.lit) {
-          INFO(name);
-          CHECK(lit.mean() == Approx(1).epsilon(0.01));
-          CHECK(lit.farthest < 0.15);
-        }
-        if (text == &nested) CHECK(furnace.lit.count("box1") == 0);
-      });
+  for (const BoxText* text : {&nested, &through})
+    forEachOrderAndPlace(*text, [&](const BoxText& order, const Standing& place) {
+      INFO(place.name << ", " << order.parts[0].name << " first, " << (text == &nested ? "nested" : "through"));
+      const Solved furnace = solved(order, place);
+      CHECK(furnace.lit.at("room").area == Approx(80 - footprint).epsilon(1e-6));
+      CHECK(furnace.lostToBacks < 1e-4);
+      for (const auto& [name, lit] : furnace.lit) {
+        INFO(name);
+        CHECK(lit.mean() == Approx(1).epsilon(0.01));
+        CHECK(lit.farthest < 0.15);
+      }
+      if (text == &nested) CHECK(furnace.lit.count("box1") == 0);
+    });
 }
 
 TEST_CASE("A room in a closed outer skin is lit as if alone, also where both skins coincide", "[contacts]") {
@@ -300,65 +316,210 @@ TEST_CASE("A face of a solid that looks the other way is named, and changes noth
   CHECK(hasWarning(turned, "looks the other way than the other faces"));
 }
 
-// The hard case: faces on a lattice, so that nearly all of them are in contact.
+namespace {
+
+/// Moves the corners of a part by up to a distance, each corner of a quad by itself.
+void jitter(BoxText::Part& part, double distance) {
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> offset(-distance, distance);
+  for (auto& quad : part.quads)
+    for (glm::dvec3& corner : quad) corner += glm::dvec3(offset(random), offset(random), offset(random));
+}
+
+/// A floor, a lamp above it, and between them a roof of two slopes in two skins: one looks up, the other one down.
+BoxText tent(double apart) {
+  BoxText text;
+  text.begin("floor");
+  text.addQuad({{{0, 0, 0}, {0, 0, 1}, {1, 0, 1}, {1, 0, 0}}});
+  text.begin("lamp", "lamp");
+  text.addQuad({{{0, 2, 0}, {1, 2, 0}, {1, 2, 1}, {0, 2, 1}}});
+  for (const bool isUpper : {true, false}) {
+    text.begin(isUpper ? "upper" : "lower");
+    for (const double foot : {0.0, 1.0}) {
+      const double up = isUpper ? apart : 0;
+      std::array<glm::dvec3, 4> slope{
+          glm::dvec3(foot, 1 + up, 0), {foot, 1 + up, 1}, {.5, 1.5 + up, 1}, {.5, 1.5 + up, 0}};
+      if ((foot == 0) != isUpper) std::reverse(slope.begin(), slope.end());
+      text.addQuad(slope);
+    }
+  }
+  return text;
+}
+
+}  // namespace
+
+TEST_CASE("Two open skins whose corners differ by rounding are one sheet", "[contacts]") {
+  const Solved apart = solved(tent(0.001));
+  BoxText text = tent(1e-7);
+  jitter(text.parts[2], 1e-7);
+  jitter(text.parts[3], 1e-7);
+  forEachOrder(text, [&](const BoxText& order) {
+    const Solved touching = solved(order);
+    CHECK(touching.lit.at("upper").flux == Approx(apart.lit.at("upper").flux).epsilon(0.01));
+    CHECK(touching.lit.at("lower").flux < 1e-4);
+    CHECK(touching.lostToBacks < 1e-4);
+  });
+}
+
+TEST_CASE("A house of two open skins whose corners differ by rounding is lit as its room alone", "[contacts]") {
+  BoxText text;
+  text.begin("ground");
+  text.addQuad({{{-5, 0, 5}, {5, 0, 5}, {5, 0, -5}, {-5, 0, -5}}});
+  text.begin("lamp", "lamp");
+  text.addQuad({{{-.3, 1.8, -.3}, {.3, 1.8, -.3}, {.3, 1.8, .3}, {-.3, 1.8, .3}}});
+  text.begin("room");
+  text.addBox({-1, 0, -1}, {1, 2, 1}, true, 5);
+  const Solved alone = solved(text);
+  text.begin("skin");
+  text.addBox({-1, 0, -1}, {1, 2, 1}, false, 5);
+  jitter(text.parts[2], 2e-7);
+  jitter(text.parts[3], 2e-7);
+  forEachOrder(text, [&](const BoxText& order) {
+    const Solved house = solved(order);
+    CHECK(house.lit.at("room").flux == Approx(alone.lit.at("room").flux).epsilon(0.01));
+    CHECK(house.lostToBacks < alone.lostToBacks + 0.001);
+  });
+}
+
+TEST_CASE("Backs of two-sided surfaces are in contact as other faces are", "[contacts]") {
+  BoxText text;
+  text.begin("below", "lamp");
+  text.addQuad({{{0, 0, -1}, {1, 0, -1}, {1, 1, -1}, {0, 1, -1}}});
+  text.begin("above", "lamp");
+  text.addQuad({{{0, 0, 1}, {0, 1, 1}, {1, 1, 1}, {1, 0, 1}}});
+  text.begin("wall", "dark");
+  text.addQuad({{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}});
+  text.begin("poster", "light");
+  text.addQuad({{{.25, .25, 0}, {.75, .25, 0}, {.75, .75, 0}, {.25, .75, 0}}});
+  const auto radiosity = [&](const Solved& scene, const std::string& name) {
+    return scene.lit.count(name) == 0 ? 0 : scene.lit.at(name).mean();
+  };
+  const Solved both = solved(text, places[0], glm::dvec3(0), {.sides = Sides::Two});
+  CHECK(both.lit.at("wall").area == Approx(0.75));
+  CHECK(both.lit.at("wall/back").area == Approx(1));  // the poster is behind the wall there
+  CHECK(both.lit.count("poster/back") == 0);
+  CHECK(radiosity(both, "wall/back") == Approx(9 * 0.2 * 0.199825).epsilon(0.01));
+  CHECK(radiosity(both, "poster") == Approx(9 * 0.8 * 0.2295).epsilon(0.03));
+  CHECK(both.lostToBacks == 0);
+  // The second face of the sheet is in the file.
+  text.parts.pop_back();
+  text.begin("other", "light");
+  text.addQuad({{{0, 0, 0}, {0, 1, 0}, {1, 1, 0}, {1, 0, 0}}});
+  forEachOrder(text, [&](const BoxText& order) {
+    for (const Sides sides : {Sides::Two, Sides::TwoOfSheets, Sides::One}) {
+      const Solved sheet = solved(order, places[0], glm::dvec3(0), {.sides = sides});
+      CHECK(radiosity(sheet, "wall") == Approx(9 * 0.2 * 0.199825).epsilon(0.01));
+      CHECK(radiosity(sheet, "other") == Approx(9 * 0.8 * 0.199825).epsilon(0.01));
+      CHECK(sheet.lit.count("wall/back") + sheet.lit.count("other/back") == 0);
+    }
+  });
+}
+
+TEST_CASE("Rooms that touch their images are lit as if alone", "[contacts]") {
+  const double alone = solved(zones(false)).lit.at("A").flux;
+  Symmetry repeated;
+  repeated.period = {4, 0, 5};
+  repeated.repeats = 1;
+  const Solved rooms = solved(zones(false), places[0], glm::dvec3(0), {.symmetry = repeated});
+  CHECK(rooms.lit.at("A").flux == Approx(alone).epsilon(0.003));
+  CHECK(rooms.lostToBacks < 0.002);
+}
+
+TEST_CASE("A closed room of boxes side by side is dark under sky and sun", "[contacts]") {
+  BoxText text;
+  const auto add = [&](const std::string& name, const glm::dvec3& low, const glm::dvec3& high) {
+    text.begin(name);
+    text.addBox(low, high, false);
+  };
+  add("floor", {0, -.2, 0}, {4, 0, 5});
+  add("ceiling", {0, 3, 0}, {4, 3.2, 5});
+  add("left", {0, 0, 0}, {.2, 3, 5});
+  add("right", {3.8, 0, 0}, {4, 3, 5});
+  add("front", {.2, 0, 0}, {3.8, 3, .2});
+  add("rear", {.2, 0, 4.8}, {3.8, 3, 5});
+  // By 17 degrees.
+  constexpr double cosine = 0.95630475596303544, sine = 0.29237170472273671;
+  for (BoxText::Part& part : text.parts)
+    for (auto& quad : part.quads)
+      for (glm::dvec3& p : quad) p = {cosine * p.x + sine * p.z, p.y, -sine * p.x + cosine * p.z};
+  Scene scene = text.load({}, materials);
+  scene.outside.sky = glm::dvec3(1);
+  scene.outside.suns = {{glm::normalize(glm::dvec3(1, 2, .3)), glm::dvec3(3)}};
+  const Discretization discretization = discretize(scene, {.texelSize = 0.25});
+  const Light light = radiosity::light(scene, discretization, {.drawing = {.resolution = 128}, .solver = {}});
+  double brightest = 0, inside = 0;
+  std::size_t count = 0;
+  for (std::uint32_t e = 0; e < light.discretization.elements.size(); ++e) {
+    const SurfacePoint point = elementCentre(scene, light.discretization, e);
+    const glm::dvec3 p = point.position, at{cosine * p.x - sine * p.z, p.y, sine * p.x + cosine * p.z};
+    const bool isInside = glm::all(glm::lessThan(glm::abs(at - glm::dvec3(2, 1.5, 2.5)), glm::dvec3(1.81, 1.51, 2.31)));
+    if (isInside) ++count;
+    double& largest = isInside ? inside : brightest;
+    largest = std::max(largest, light.solution.radiosity[e].x);
+  }
+  CHECK(count > 500);
+  CHECK(brightest > 1);
+  CHECK(inside <= 1e-6 * brightest);
+  CHECK(light.solution.energy.lostToBacks[0] < 1e-4 * light.solution.energy.emitted[0]);
+}
+
+TEST_CASE("Messages name a surface of which nothing can be seen, and the file of a wrong name", "[contacts]") {
+  BoxText text;
+  text.begin("poster", "light");
+  text.addQuad({{{.25, .25, 0}, {.75, .25, 0}, {.75, .75, 0}, {.25, .75, 0}}});
+  text.begin("wall", "dark");
+  text.addQuad({{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}});
+  const Scene scene = text.load({}, materials);
+  for (const bool isEdit : {true, false}) {
+    const auto name = [&](const std::string& wanted) {
+      if (!isEdit) return surfacesNamed(scene, wanted).size();
+      return edited(scene, {}, std::vector<Edit>{SetEmission{wanted, glm::dvec3(1)}}).scene.surfaces.size();
+    };
+    CHECK_THROWS_WITH(name("poster"), Catch::Contains("nothing of `poster` can be seen"));
+    CHECK_THROWS_WITH(name("postr"), Catch::Contains("is named `postr`"));
+    CHECK(name("wall") == 1);
+  }
+  CHECK_THROWS_WITH(text.load({.flip = {"nobody"}}, materials),
+                    Catch::Contains("scene.obj: no surface is named `nobody`"));
+}
+
+// The hard case: faces on a lattice, so that nearly all of them are in contact. `hemitex_lattice_furnace` in
+// tests/benchmarks tries more of them.
 TEST_CASE("Boxes on a lattice expose what no other box hides", "[contacts]") {
-  constexpr int side = 8;
-  for (unsigned seed = 1; seed <= 24; ++seed) {
-    std::mt19937 random(seed);
-    const auto whole = [&](int low, int high) {
-      return low + static_cast<int>(random() % static_cast<unsigned>(high - low + 1));
-    };
-    std::vector<std::array<glm::ivec3, 2>> boxes;
-    for (int count = whole(2, 5); count > 0; --count) {
-      glm::ivec3 low(0), size(0);
-      for (const int axis : {0, 1, 2}) {
-        low[axis] = whole(0, side - 2);
-        size[axis] = whole(1, 4);
-      }
-      if (whole(0, 1) == 0) low.y = 0;
-      boxes.push_back({low, glm::min(low + size, glm::ivec3(side))});
-    }
-    BoxText text;
-    text.begin("room", "furnace");
-    text.addBox(glm::dvec3(0), glm::dvec3(side), true);
-    std::map<std::string, double> expected{{"room", 0}};
-    const auto isIn = [](const glm::ivec3& cell, const std::array<glm::ivec3, 2>& box) {
-      return glm::all(glm::greaterThanEqual(cell, box[0])) && glm::all(glm::lessThan(cell, box[1]));
-    };
-    const auto isInAny = [&](const glm::ivec3& cell) {
-      return std::any_of(boxes.begin(), boxes.end(), [&](const auto& box) { return isIn(cell, box); });
-    };
-    const std::array<glm::ivec3, 2> room{glm::ivec3(0), glm::ivec3(side)};
-    for (std::size_t b = 0; b < boxes.size(); ++b) {
-      text.begin("box" + std::to_string(b), "furnace");
-      text.addBox(glm::dvec3(boxes[b][0]), glm::dvec3(boxes[b][1]), false);
-    }
-    // A face between two cells is exposed where the one before it is empty. The last box behind it shows its face.
-    for (int axis = 0; axis < 3; ++axis)
-      for (const int step : {-1, 1})
-        for (int i = 0; i < side * side * side; ++i) {
-          const glm::ivec3 cell(i % side, i / side % side, i / side / side);
-          glm::ivec3 behind = cell;
-          behind[axis] += step;
-          if (isInAny(cell)) continue;
-          if (!isIn(behind, room)) expected["room"] += 1;
-          for (std::size_t b = boxes.size(); b-- > 0;) {
-            if (!isIn(behind, boxes[b])) continue;
-            expected["box" + std::to_string(b)] += 1;
-            break;
-          }
-        }
-    const Solved furnace = solved(text);
-    std::ostringstream listed;
-    for (const auto& [low, high] : boxes)
-      listed << "\n" << low.x << ' ' << low.y << ' ' << low.z << " to " << high.x << ' ' << high.y << ' ' << high.z;
-    INFO("seed " << seed << listed.str());
+  for (unsigned seed = 1; seed <= 6; ++seed) {
+    const LatticeBoxes boxes = latticeBoxes(seed);
+    const Solved furnace = solved(boxes.text);
+    INFO("seed " << seed << "\n" << boxes.listed);
     CHECK(furnace.lostToBacks < 1e-4);
-    for (const auto& [name, area] : expected) {
+    for (const auto& [name, area] : boxes.exposed) {
       INFO(name);
       const auto found = furnace.lit.find(name);
       CHECK((found == furnace.lit.end() ? 0 : found->second.area) == Approx(area).epsilon(0).margin(1e-4));
       if (found != furnace.lit.end() && area > 0) CHECK(found->second.mean() == Approx(1).epsilon(0.01));
     }
+  }
+}
+
+TEST_CASE("Facets on a lattice are plain triangles of what no other box hides", "[contacts]") {
+  for (unsigned seed = 1; seed <= 24; ++seed) {
+    const LatticeBoxes boxes = latticeBoxes(seed);
+    INFO("seed " << seed << "\n" << boxes.listed);
+    const Scene scene = withoutBuried(boxes.text.load({.facets = true}, materials));
+    std::map<std::string, double> areas;
+    for (const Surface& surface : scene.surfaces)
+      areas[surface.name.substr(0, surface.name.find('#'))] += area(surface);
+    for (const auto& [name, area] : boxes.exposed) {
+      INFO(name);
+      CHECK(areas[name] == Approx(area).epsilon(0).margin(1e-4));
+    }
+    const Discretization elements = discretize(scene, {.texels = 1, .isUnburied = true});
+    const IdLayout layout = layOut(elements, {});
+    SceneFormFactors rows(scene, elements, layout, {.resolution = 64});
+    double lost = 0, whole = 0;
+    for (const Patch& patch : elements.patches.list) {
+      lost += patch.area * formFactor(rows.row(patch).back);
+      whole += patch.area;
+    }
+    CHECK(lost < 5e-4 * whole);
   }
 }

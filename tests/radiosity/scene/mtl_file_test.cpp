@@ -72,21 +72,31 @@ TEST_CASE("parseMaterials returns only the values that the file states", "[mater
 
 TEST_CASE("parseMaterials reads the file name of a map behind its options", "[material]") {
   struct Case {
-    std::string line, image;
-    bool hasOptions;
+    std::string line, image, omitted;
+    glm::dvec2 scale{1, 1}, offset{0, 0};
+    bool isClamped = false;
   };
-  const auto [line, image, hasOptions] = GENERATE(values<Case>({
-      {"map_Kd wood.png", "wood.png", false},
-      {"map_Kd  maps/old wood.png ", "maps/old wood.png", false},
-      {"map_Kd -s 2 2 1 -clamp on wood.png", "wood.png", true},
-      {"map_Kd -s 2 2 1", "", true},
-      {"map_Kd", "", false},
+  const auto [line, image, omitted, scale, offset, isClamped] = GENERATE(values<Case>({
+      {"map_Kd wood.png", "wood.png", ""},
+      {"map_Kd  maps/old wood.png ", "maps/old wood.png", ""},
+      {"map_Kd -s 2 3 1 -clamp on wood.png", "wood.png", "", {2, 3}, {0, 0}, true},
+      {"map_Kd -s 2 3 4th wood.png", "4th wood.png", "", {2, 3}},
+      {"Map_Kd -s 2 -clamp off -o .5 wood.png", "wood.png", "", {2, 1}, {0.5, 0}},
+      {"map_Kd -o 1 -2 3 -mm 0.1 2 -blendu off wood.png", "wood.png", "-mm", {1, 1}, {1, -2}},
+      {"map_Kd -imfchan r -t 1 wood-1.png", "wood-1.png", "-imfchan -t"},
+      {"map_Kd C:\\maps\\wood.png", "C:\\maps\\wood.png", ""},
+      {"map_Kd \\\nwood.png", "wood.png", ""},
+      {"map_Kd -s 2 2 1", "", "", {2, 2}},
+      {"map_Kd", "", ""},
   }));
   CAPTURE(line);
   const std::vector<MaterialStatement> materials = parseMaterials("newmtl a\n" + line + "\nmap_Ke sky.exr\n", "");
   REQUIRE(materials[0].reflectanceMap);
   CHECK(materials[0].reflectanceMap->image == image);
-  CHECK(materials[0].reflectanceMap->hasOptions == hasOptions);
+  CHECK(materials[0].reflectanceMap->omitted == omitted);
+  const radiosity::Sampler& sampler = materials[0].reflectanceMap->sampler;
+  CHECK(sampler(glm::dvec2(3, 5)) == scale * glm::dvec2(3, 5) + offset);
+  CHECK(sampler.wrap[0] == (isClamped ? radiosity::Wrap::Clamp : radiosity::Wrap::Repeat));
   CHECK(materials[0].emissionMap->image == "sky.exr");
 }
 

@@ -1,6 +1,7 @@
 // Scenes from OBJ files and their materials, and repairs with a warning.
 #include "radiosity/scene/scene.h"
 
+#include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <fstream>
@@ -10,6 +11,7 @@
 
 #include "radiosity/scene/load_scene.h"
 #include "raster/base/input_error.h"
+#include "tests/support/shell.h"
 #include "tests/support/temporary_folder.h"
 
 using namespace hemitex;
@@ -199,9 +201,9 @@ TEST_CASE("loadScene drops and counts a face without area, but not a triangle wi
   const std::string obj =
       "v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nv 1 0 0\nv 9 9 9\n"
       "v 0 0 1\nv 1 0 1\nv 2 0 1\nv 2 2 1\nv 0 0 2\nv 2 2 2\nv 0 2 2\n"
-      "f 1 2 3 4\n"  // valid
-      "f 1 5 2\n"    // collinear
-      "f 6 6 6\n"    // a point, outside the bounds of the rest
+      "f 1 2 3 4\n"   // valid
+      "f 1 5 2\n"     // collinear
+      "f 6 6 6\n"     // a point, outside the bounds of the rest
       "f 7 8 9 10\n"  // its first fan triangle has no area
       "f 11 11 12 13\n";
   const Scene scene = load(obj);
@@ -354,6 +356,44 @@ TEST_CASE("loadScene lowers a map of reflectances to 1, and refuses a negative m
   CHECK_THROWS_WITH(files.load(), Catch::Contains("map.exr") && Catch::Contains("negative"));
 }
 
+TEST_CASE("loadScene warns of a closed room that keeps nearly all light, by its surface", "[scene]") {
+  const TemporaryFolder folder;
+  const auto warningsFor = [&](const std::string& reflectance, bool isInverted) {
+    hemitex::tests::writeAll(folder.path / "m.mtl", "newmtl a\nKd " + reflectance + "\nKe 1 1 1\n");
+    std::string text = "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\ng walls\nusemtl a\n";
+    for (const auto& [a, b, c] : {std::array{1, 2, 3}, std::array{1, 4, 2}, std::array{1, 3, 4}, std::array{2, 4, 3}})
+      text += "f " + std::to_string(a) + " " + std::to_string(isInverted ? c : b) + " " +
+              std::to_string(isInverted ? b : c) + "\n";
+    hemitex::tests::writeAll(folder.path / "a.obj", text);
+    std::string all;
+    for (const std::string& warning : loadScene(folder.path / "a.obj").warnings) all += warning + "\n";
+    return all;
+  };
+  const std::string words = "the closed room of `walls";
+  CHECK_THAT(warningsFor("0.5 0.99 0.5", false), Catch::Contains(words) && Catch::Contains("reflects 0.99"));
+  CHECK_THAT(warningsFor("0.94 0.94 0.94", false), !Catch::Contains(words));
+  CHECK_THAT(warningsFor("0.99 0.99 0.99", true), !Catch::Contains(words));
+}
+
+TEST_CASE("loadScene warns where binary32 rounds coordinates by more than a hundredth of the size of faces",
+          "[scene]") {
+  const TemporaryFolder folder;
+  const auto warningsAt = [&](double east, double size) {
+    std::string bytes = std::string(80, ' ') + std::string("\x01\0\0\0", 4);
+    const double corners[12] = {0, 0, 0, east, 5e6, 0, east + size, 5e6, 0, east, 5e6 + size, 0};
+    for (const double corner : corners) {
+      const auto number = static_cast<float>(corner);
+      bytes.append(reinterpret_cast<const char*>(&number), sizeof number);
+    }
+    hemitex::tests::writeAll(folder.path / "a.stl", bytes + std::string(2, '\0'));
+    std::string all;
+    for (const std::string& warning : loadScene(folder.path / "a.stl").warnings) all += warning + "\n";
+    return all;
+  };
+  CHECK_THAT(warningsAt(500000.1, 3.3), Catch::Contains("rounded to binary32"));
+  CHECK_THAT(warningsAt(500000.1, 333), !Catch::Contains("rounded to binary32"));
+}
+
 TEST_CASE("requireEmission throws InputError unless something emits", "[scene]") {
   CHECK_THROWS_WITH(requireEmission(loadMaterial("Kd 0.5\n"), "scene.obj"),
                     Catch::Contains("scene.obj") && Catch::Contains("emits") && Catch::Contains("Ke"));
@@ -379,7 +419,11 @@ TEST_CASE("loadScene reports normals that the file lacks", "[scene]") {
 }
 
 TEST_CASE("loadScene with Sides::Two makes two surfaces of each, the second reversed", "[scene]") {
-  const Scene scene = load(cubeVertices + "g box\n" + cubeFaces + "g lid\nf 8 7 6 5\n", {.sides = Sides::Two});
+  const std::string box = cubeVertices + "g box\n" + cubeFaces;
+  // The sides of a lid on the box would be those of the box.
+  CHECK(load(box + "g lid\nf 8 7 6 5\n", {.sides = Sides::Two}).surfaces.size() == 12);
+  const Scene scene =
+      load(box + "v 0 0 3\nv 1 0 3\nv 1 1 3\nv 0 1 3\ng lid\nf 9 10 11 12\n", {.sides = Sides::Two});
   REQUIRE(scene.surfaces.size() == 14);
   CHECK(totalArea(scene) == 14);
   for (std::size_t s = 0; s < 7; ++s) {

@@ -86,8 +86,8 @@ TEST_CASE("makeLitScene shows a checkerboard finer than an element, and keeps th
   solution.radiosity.assign(4, glm::dvec3(0.5));
   solution.irradiance.assign(4, glm::dvec3(1));
   const std::vector<glm::dvec3> values = displayValues(scene, discretization, solution);
-  const Image texture =
-      filteredTexture(scene, discretization, layout, 0, values, TextureFilter::Bicubic, {}, levelsOfMaps(scene));
+  const std::vector<ImageLevels> levels = levelsOfMaps(scene);
+  const Image texture = filteredTexture(scene, discretization, layout, 0, values, TextureFilter::Bicubic, {}, &levels);
   const int times = layout.textures[0].magnification;
   std::vector<glm::dvec3> chart;
   double darkest = 1, brightest = 0;

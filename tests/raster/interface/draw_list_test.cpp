@@ -105,13 +105,13 @@ TEST_CASE("validate rejects draws whose last triangle number is the background",
   CHECK(isValid([](DrawList& l) { l.value = PixelValue::TriangleNumbers, l.draws[0].offset = 250; }));
 }
 
-TEST_CASE("requireNearest refuses other depth tests", "[draw_list]") {
+TEST_CASE("requireUsual refuses other depth tests", "[draw_list]") {
   DrawList l = list();
-  CHECK_NOTHROW(requireNearest(l));
+  CHECK_NOTHROW(requireUsual(l));
   for (const DepthTest test : {DepthTest::NearerOrEqual, DepthTest::Farther, DepthTest::FartherOrEqual}) {
     l.depthTest = test;
     CHECK_NOTHROW(validate(l));
-    CHECK_THROWS_AS(requireNearest(l), hemitex::raster::InputError);
+    CHECK_THROWS_AS(requireUsual(l), hemitex::raster::InputError);
   }
 }
 

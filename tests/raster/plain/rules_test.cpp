@@ -121,7 +121,7 @@ TEST_CASE("covers gives a sample on an edge to the triangle whose top or left ed
   const raster::Face face = tests::frontFace(64);
   for (const bool reversed : {false, true}) {
     const auto triangle = [&](const auto& p, const auto& q, const auto& r) {
-      return raster::snappedTriangle(face, {}, {p, reversed ? r : q, reversed ? q : r});
+      return raster::snappedTriangle({}, face, {}, {p, reversed ? r : q, reversed ? q : r});
     };
     const raster::SnappedTriangle upper = triangle(a, b, c), lower = triangle(a, c, d);
     CHECK(upper.facesAway == lower.facesAway);
@@ -143,7 +143,7 @@ TEST_CASE("covers gives a sample on an edge to the triangle whose top or left ed
 TEST_CASE("isNearer and texelAt decide what double precision does not resolve", "[rules]") {
   const raster::Face face = tests::frontFace(64);
   const auto wall = [&](double w, double u) {
-    return raster::snappedTriangle(face, {{{0, 0, w, u, 0}, {0, 0, w, u, 0}, {0, 0, w, u, 0}}},
+    return raster::snappedTriangle({}, face, {{{0, 0, w, u, 0}, {0, 0, w, u, 0}, {0, 0, w, u, 0}}},
                                    {{{0, 0}, {7 * 256, 0}, {0, 5 * 256}}});
   };
   const auto at = [](const raster::SnappedTriangle& triangle) {

@@ -55,6 +55,7 @@ reference::ProbingSet recordedProbes() {
   reference::ProbingSet probes = reference::makeProbes();
   std::erase_if(probes.coverage, [](const auto& sheet) { return !sheet.pixels[0].bits.contains(12); });
   probes.sharedEdges.clear();
+  probes.clipping.clear();
   return probes;
 }
 

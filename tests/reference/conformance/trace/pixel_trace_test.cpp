@@ -173,7 +173,7 @@ TEST_CASE("derive and stagesOf see through holes and culled triangles", "[trace]
       for (std::size_t p = 0; p < ids.size(); ++p) {
         const glm::ivec2 at = reference::pixelAt(face.scissor, p);
         const std::optional<Derivation> derived = deriveAt(vector.list, face, at.x, at.y);
-        areEqual &= ids[p] == (derived ? derived->visible.id : raster::backgroundId(vector.list.format));
+        areEqual &= ids[p] == (derived ? derived->visible.id : raster::clearedValue(vector.list));
         areEqual &= stages.triangles[p] == (derived ? static_cast<int>(derived->visible.triangle) : -1);
       }
       INFO(vector.name);

@@ -34,7 +34,7 @@ std::size_t differingVectors(std::size_t count, const MakeVector& make) {
     const std::vector<raster::ItemBuffer> plain = drawnPlainly(vector);
     std::vector<raster::ItemBuffer> rational;
     for (const raster::Face& face : reference::facesOf(vector))
-      rational.push_back(reference::evaluateRules(vector.list, face));
+      rational.push_back(reference::evaluateRules(sourceOf(vector), face));
     if (!areEqual(plain, reference::render(vector)) || !areEqual(plain, rational)) ++differing;
   });
   return differing;
@@ -58,6 +58,11 @@ TEST_CASE("PlainRenderer equals the renderer on each vector of vectorSuite", "[p
   }
 }
 
+TEST_CASE("PlainRenderer equals evaluateRules on each vector of drawVectors", "[plain]") {
+  const std::vector<TestVector> vectors = reference::drawVectors();
+  CHECK(differingVectors(vectors.size(), [&](std::size_t k) { return vectors[k]; }) == 0);
+}
+
 TEST_CASE("PlainRenderer equals the renderer and evaluateRules on vectors of interleavedRandomVector", "[plain]") {
   CHECK(differingVectors(2000) == 0);
 }
@@ -69,7 +74,14 @@ TEST_CASE("PlainRenderer equals the renderer and evaluateRules on vectors of new
   }
 }
 
-// The target million_vectors runs it; the tests above are a part of it.
+// The target million_vectors runs them; the tests above are a part of them.
+TEST_CASE("PlainRenderer equals evaluateRules on a million triangles in clip space", "[.million_vectors]") {
+  constexpr std::size_t perVector = 4;
+  CHECK(reference::randomVector(0, "clip-space").list.indices.size() == 3 * perVector);
+  CHECK(differingVectors(1000000 / perVector, [](std::size_t k) { return reference::randomVector(k, "clip-space"); }) ==
+        0);
+}
+
 TEST_CASE("PlainRenderer equals the renderer and evaluateRules on 100,000 vectors", "[.million_vectors]") {
   CHECK(differingVectors(100000) == 0);
   for (const reference::RandomFamily& family : reference::newRandomFamilies())

@@ -45,6 +45,12 @@ Ids bitsOf(const TestVector& vector) {
   }
   if (vector.list.value != raster::PixelValue::ItemIds || vector.list.depthTest != raster::DepthTest::Nearer)
     bits.insert(bits.end(), {static_cast<ItemId>(vector.list.value), static_cast<ItemId>(vector.list.depthTest)});
+  const raster::DrawList& source = sourceOf(vector);
+  if (vector.source || !source.clipZ.empty()) {
+    for (const float z : source.clipZ) append(bits, glm::vec3(z));
+    bits.insert(bits.end(), source.indices.begin(), source.indices.end());
+    bits.insert(bits.end(), source.vertexValues.begin(), source.vertexValues.end());
+  }
   for (const raster::Face& face : facesOf(vector))
     if (!isUsual(face)) bits.push_back(static_cast<ItemId>(face.sample));
   for (const raster::Face& face : facesOf(vector))
@@ -72,7 +78,7 @@ std::uint64_t differingVectors(std::uint64_t count) {
     const std::vector<raster::ItemBuffer> found = reference::render(vector);
     bool isEqual = true;
     for (std::size_t f = 0; f < found.size(); ++f)
-      isEqual &= found[f].ids == reference::evaluateRules(vector.list, vector.faces[f].face).ids;
+      isEqual &= found[f].ids == reference::evaluateRules(sourceOf(vector), vector.faces[f].face).ids;
     differing += !isEqual;
   });
   return differing;
@@ -164,7 +170,9 @@ TEST_CASE("randomVector gives pinned vectors for the first hundred seeds of each
                                                   {"two-sided", "8cb41c75985d105e"},
                                                   {"triangle-numbers", "2a2732b801622685"},
                                                   {"depth-tests", "c87ad26e9bbbd48c"},
-                                                  {"viewports", "06fad210ee83c739"}};
+                                                  {"viewports", "06fad210ee83c739"},
+                                                  {"clip-space", "a9a72ec459e30ac3"},
+                                                  {"assemblies", "9c532c2fc4a11be3"}};
   CHECK(pinned.size() == reference::randomFamilies().size() + reference::newRandomFamilies().size());
   for (const auto& [family, hash] : pinned) {
     INFO(family);
@@ -217,15 +225,23 @@ TEST_CASE("judge finds each fault of knownFaults in two vectors of each family, 
           "[random]") {
   // No format has channels that the first one changes, and no random vector the vertices that the second one needs.
   // Random coordinates lie too rarely beside a border of texels for the product with u to be rounded over it.
-  const std::string rounded = "u N rounded to binary32";
-  const std::set<std::string> withoutEffect{"dithering, 8-8-8", "indices cut to fewer bits, 16 bits",
-                                            rounded + ", at pixels", rounded + ", at vertices"};
+  // They have one index map, and faces of one tile of 16 x 16 pixels.
+  const std::string rounded = "u N rounded to binary32", otherMap = "index map of another draw";
+  const std::set<std::string> withoutEffect{"dithering, 8-8-8",
+                                            "indices cut to fewer bits, 16 bits",
+                                            rounded + ", at pixels",
+                                            rounded + ", at vertices",
+                                            otherMap + ", the first draw",
+                                            otherMap + ", the last draw",
+                                            otherMap + ", the draw before",
+                                            otherMap + ", the next draw",
+                                            "tiled memory read as rows, 16 x 16 pixels"};
   constexpr std::uint64_t count = 300;
   const Detections detections = detectFaults(count);
   CHECK(detections.faults.size() > 50);
   for (const auto& [fault, vectors] : detections.faults) {
     INFO(fault << ": " << vectors);
-    if (fault != rounded) CHECK(vectors <= 2 * reference::randomFamilies().size());
+    if (fault != rounded && fault != otherMap) CHECK(vectors <= 2 * reference::randomFamilies().size());
   }
   CHECK(detections.variants.size() > 250);
   for (const auto& [variant, vectors] : detections.variants) {

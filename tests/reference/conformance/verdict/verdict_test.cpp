@@ -99,7 +99,8 @@ TEST_CASE("judge finds no error in a device within its profile", "[verdict]") {
 }
 
 TEST_CASE("judge finds no error in a device within its profile that draws version 2", "[verdict]") {
-  for (const std::string family : {"holes", "culled-sides", "two-sided", "triangle-numbers"}) {
+  for (const std::string family :
+       {"holes", "culled-sides", "two-sided", "triangle-numbers", "depth-tests", "viewports", "clip-space"}) {
     std::uint64_t explained = 0;
     for (const DeviceProfile& profile : profiles())
       for (std::uint32_t seed = 0; seed < 400; ++seed) {
@@ -134,15 +135,35 @@ TEST_CASE("judge finds errors in a device that fills holes or draws culled trian
   }
 }
 
-TEST_CASE("judge explains no difference with another depth test or view than version 1 has", "[verdict]") {
-  for (const std::string family : {"depth-tests", "viewports"})
-    for (std::uint64_t seed = 0; seed < 50; ++seed) {
+TEST_CASE("judge finds errors in a device with another depth test, sample or range of z", "[verdict]") {
+  const auto wrongVectors = [](const std::string& family, const auto& change) {
+    std::uint64_t wrong = 0;
+    for (std::uint64_t seed = 0; seed < 100; ++seed) {
       const reference::TestVector vector = reference::randomVector(seed, family);
-      std::vector<raster::ItemBuffer> found = reference::render(vector);
-      CHECK_FALSE(hasErrors(judge(vector, found, {})));
-      for (raster::ItemId& id : found[0].ids) id ^= 1;
-      CHECK(count(countVerdicts(judge(vector, found, {})), PixelVerdict::Error) == found[0].ids.size());
+      CHECK_FALSE(hasErrors(judge(vector, render(vector), {})));
+      reference::TestVector changed = vector;
+      change(changed);
+      wrong += hasErrors(judge(vector, render(changed), {}));
     }
+    return wrong;
+  };
+  CHECK(wrongVectors("depth-tests", [](auto& vector) { vector.list.depthTest = raster::DepthTest::Nearer; }) > 40);
+  CHECK(wrongVectors("viewports", [](auto& vector) {
+          for (reference::VectorFace& face : vector.faces) face.face.sample = raster::SamplePlace::Corner;
+        }) > 20);
+  CHECK(wrongVectors("clip-space", [](auto& vector) { vector.list.clipDepth = raster::ClipDepth::MinusOneToOne; }) >
+        20);
+  CHECK(wrongVectors("clip-space", [](auto& vector) {
+          for (float& z : vector.list.clipZ) z = -z;
+        }) > 50);
+}
+
+TEST_CASE("judge explains no count of samples that passed", "[verdict]") {
+  reference::TestVector vector = reference::randomVector(3, "clip-space");
+  vector.list.value = raster::PixelValue::PassedSamples;
+  std::vector<raster::ItemBuffer> found = render(vector);
+  for (raster::ItemId& id : found[0].ids) ++id;
+  CHECK(count(countVerdicts(judge(vector, found, {})), PixelVerdict::Error) == found[0].ids.size());
 }
 
 TEST_CASE("judge finds errors in a device three sub-pixels beyond its profile", "[verdict]") {
