@@ -32,9 +32,6 @@ const Choices<raster::Blend> blendChoices{{"clamped-add", raster::Blend::Clamped
                                           {"integer-add", raster::Blend::IntegerAdd}};
 const Choices<ElementsBy> elementsByChoices{{"texture", ElementsBy::Texture}, {"mesh", ElementsBy::Mesh}};
 const Choices<Orientation> orientationChoices{{"aligned", Orientation::Aligned}, {"turned", Orientation::Turned}};
-const Choices<ProjectionKind> projectionChoices{{"hemicube", ProjectionKind::Hemicube},
-                                                {"single-plane", ProjectionKind::SinglePlane},
-                                                {"tetrahedron", ProjectionKind::CubicTetrahedron}};
 
 constexpr int largestTexels = 4096;
 constexpr int largestResolution = 4096;
@@ -305,9 +302,17 @@ ordered_json toJson(const radiosity::DrawingSettings& settings) {
 }
 
 std::optional<radiosity::ProjectionKind> projectionNamed(const std::string& method) {
-  for (const auto& [name, kind] : projectionChoices)
+  for (const auto& [name, kind] : radiosity::namedProjections())
     if (name == method) return kind;
   return std::nullopt;
+}
+
+Option addMethod(Command command, std::string& method, const std::vector<std::string>& others,
+                 const std::string& help) {
+  Choices<std::string> names;
+  for (const auto& projection : radiosity::namedProjections()) names.emplace_back(projection.first, projection.first);
+  for (const std::string& other : others) names.emplace_back(other, other);
+  return addChoice<std::string>(command, "--method", method, names, help);
 }
 
 std::vector<std::string> drawingOptionNames() {

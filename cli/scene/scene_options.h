@@ -71,6 +71,8 @@ nlohmann::ordered_json toJson(const radiosity::DrawingSettings& settings);
 
 /// The projection of a `--method`: `hemicube`, `single-plane` or `tetrahedron`; nothing for methods that do not draw.
 std::optional<radiosity::ProjectionKind> projectionNamed(const std::string& method);
+/// Adds `--method`: one of the projections, or of `others`.
+Option addMethod(Command command, std::string& method, const std::vector<std::string>& others, const std::string& help);
 
 /// The names of the options that only methods with projections use: of drawing and of item IDs.
 std::vector<std::string> drawingOptionNames();

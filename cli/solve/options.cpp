@@ -39,9 +39,8 @@ void addSamples(Command command, int& samples) {
 /// Adds the options for computing form-factor rows.
 void addMethodOptions(Command command, SolveOptions& options) {
   command = command.under("Form factors");
-  addChoice<std::string>(
-      command, "--method", options.method,
-      {{"hemicube", "hemicube"}, {"single-plane", "single-plane"}, {"tetrahedron", "tetrahedron"}, {"rays", "rays"}},
+  addMethod(
+      command, options.method, {"rays"},
       "compute form factors with this projection or with rays (default hemicube). The result of rays differs between "
       "machines in the last digits.");
   addDrawingOptions(command, options.drawing);

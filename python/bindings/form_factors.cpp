@@ -31,15 +31,6 @@ using reference::RowReceivers;
 using reference::SparseRow;
 using namespace py::literals;
 
-using Methods = std::vector<std::pair<std::string, radiosity::ProjectionKind>>;
-const Methods& projections() {
-  using radiosity::ProjectionKind;
-  static const Methods names{{"hemicube", ProjectionKind::Hemicube},
-                             {"single-plane", ProjectionKind::SinglePlane},
-                             {"tetrahedron", ProjectionKind::CubicTetrahedron}};
-  return names;
-}
-
 /// A name, or a tuple (name, column, row).
 reference::Source sourceOf(const Elements& elements, const py::object& source) {
   if (py::isinstance<py::str>(source)) return {radiosity::surfacesNamed(*elements.scene, textOf(source, "source"))};
@@ -248,7 +239,7 @@ py::list hemicube(const SharedElements& elements, const py::object& source, cons
 radiosity::DrawingSettings drawingSettings(const Settings& settings, const std::vector<std::string>& others) {
   using radiosity::ElementsBy, radiosity::Orientation;
   radiosity::DrawingSettings drawing;
-  Methods methods = projections();
+  auto methods = radiosity::namedProjections();
   for (const std::string& other : others) methods.emplace_back(other, radiosity::ProjectionKind::Hemicube);
   assign(drawing.projection, settings.choice("method", methods));
   assign(drawing.resolution, settings.integer("resolution", 2, 4096));

@@ -276,6 +276,12 @@ Projection cubicTetrahedron(int resolution) {
           tetrahedronSquaredReach};
 }
 
+std::vector<std::pair<std::string, ProjectionKind>> namedProjections() {
+  return {{"hemicube", ProjectionKind::Hemicube},
+          {"single-plane", ProjectionKind::SinglePlane},
+          {"tetrahedron", ProjectionKind::CubicTetrahedron}};
+}
+
 Projection projectionOf(ProjectionKind kind, int resolution) {
   switch (kind) {
     case ProjectionKind::SinglePlane:

@@ -1,6 +1,8 @@
 /// The kinds of projections, and their delta form factors: integrals over the solid angle of each pixel.
 #pragma once
 
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "radiosity/projection/projection.h"
@@ -8,6 +10,9 @@
 namespace hemitex::radiosity {
 
 enum class ProjectionKind { Hemicube, SinglePlane, CubicTetrahedron };
+
+/// The names of projections, as options and settings call them; the default is first.
+std::vector<std::pair<std::string, ProjectionKind>> namedProjections();
 
 /// The projection of a kind with faces of resolution x resolution pixels; `resolution` is even, 2 to 4096, here and
 /// below.
