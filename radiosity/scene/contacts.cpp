@@ -266,6 +266,7 @@ void divideAt(const std::vector<glm::dvec3>& points, double margin, std::vector<
         halves[half].position[corner] = point;
         halves[half].chart[corner] = onChart(glm::mix(whole.chart[start], whole.chart[end], share));
         halves[half].texcoord[corner] = glm::mix(whole.texcoord[start], whole.texcoord[end], share);
+        halves[half].colour[corner] = glm::mix(whole.colour[start], whole.colour[end], static_cast<float>(share));
       }
       if (!keepsArea(halves[0]) || !keepsArea(halves[1])) continue;
       triangles[t] = halves[0];
