@@ -96,7 +96,7 @@ void addVectorCalibrate(Command vector, Context& context) {
   folder.needs(candidate).needs(output).excludes(probes);
   candidate.needs(folder);
   output.needs(folder);
-  command.addExamples({"--probes probes", "probes --candidate drawn -o profile.json",
+  command.addExamples({"--probes probes",
                        "probes --candidate drawn -o profile.json --html profile.html --device-name 'My GPU'"});
   command.onRead([options, &context] {
     if (options->probes.empty() && options->vectors.empty())

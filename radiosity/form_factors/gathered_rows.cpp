@@ -14,6 +14,9 @@ namespace {
 constexpr int blockSide = 4;
 /// Blocks are gathered that are drawn with this number of pixels per element or more.
 constexpr double gatheredPixels = 0.5;
+/// The error of the sum of gathered shares. If it differs more from the sum of drawn ones, that of the drawn ones,
+/// which are those of a single point, is wrong.
+constexpr double mostScaled = 0.005;
 
 /// The number of the block of an element on its surface.
 std::size_t blockOf(const Grid& grid, std::uint32_t texel) {
@@ -90,11 +93,12 @@ FormFactorRow GatheredRows::gathered(const Patch& patch, const FormFactorRow& dr
   const double whole = static_cast<double>(wholeShare), sum = std::accumulate(shares.begin(), shares.end(), 0.0),
                elsewhere = static_cast<double>(drawn.background + drawn.back);
   if (!(sum > 0)) return drawn;
-  const double rest = std::clamp(whole - sum, elsewhere / 2, 2 * elsewhere);
-  for (double& share : shares) share *= std::max(0.0, whole - rest) / sum;
-  const double scale = elsewhere > 0 ? rest / elsewhere : 0;
-  return closedRow(elements, shares, scale * static_cast<double>(drawn.background),
-                   scale * static_cast<double>(drawn.back));
+  double scale = whole / sum;
+  if (elsewhere > 0) scale = std::min(scale, std::clamp((whole - elsewhere) / sum, 1 - mostScaled, 1 + mostScaled));
+  for (double& share : shares) share *= scale;
+  const double rest = elsewhere > 0 ? (whole - scale * sum) / elsewhere : 0;
+  return closedRow(elements, shares, rest * static_cast<double>(drawn.background),
+                   rest * static_cast<double>(drawn.back));
 }
 
 /// Sets the shares of the elements of a block.

@@ -10,9 +10,9 @@
 /// in the mean over points of the element. The closer the patch, the more points. Rays find the visible share, unless
 /// nothing is between the patch and the elements around this one.
 ///
-/// Blocks of elements get these shares that are drawn with half a pixel per element or more, on average. What
-/// leaves the scene or meets backs gets the rest, but from half to twice of what was drawn. The shares of all elements
-/// are then scaled, so that the account of the flux stays closed.
+/// Blocks of elements get these shares that are drawn with half a pixel per element or more, on average. All shares are
+/// then scaled by at most half a percent, so that the sum is as drawn; what leaves the scene or meets backs gets the
+/// rest. If nothing does, the shares are scaled to 1. So the account of the flux stays closed.
 #pragma once
 
 #include <cstddef>

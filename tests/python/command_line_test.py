@@ -63,7 +63,7 @@ def test_form_factor_matrix_equals_hemitex_formfactors(tmp_path: Path, max_error
 
 def test_check_matrix_equals_hemitex_matrix_check(tmp_path: Path) -> None:
     scene = hx.load_scene(ROOM, facets=True)
-    matrix = hx.form_factor_matrix(scene, max_error=0.02).complete
+    matrix = hx.form_factor_matrix(scene, max_error=0.01).complete
     assert not hx.check_matrix(matrix, scene).problems
     wrong = scipy.sparse.csr_array(matrix[:, :-2].T)
     scipy.sparse.save_npz(tmp_path / "wrong.npz", scipy.sparse.csr_matrix(wrong))

@@ -165,8 +165,8 @@ reference::StagedDevice stagedDeviceOf(const SimulatedDevice& device, const rast
   reference::StagedDevice stages;
   const bool snaps = device.profile.snapRounding != reference::SnapRounding::None;
   const std::int64_t fineness = std::int64_t{1} << (snaps ? std::max(0, device.profile.subpixelBits - 8) : 10);
-  stages.geometry = {[=](const raster::Face& face, const raster::DrawList& list, std::uint32_t t) {
-                       return polygonOn(device, face, list, t);
+  stages.geometry = {[=](const raster::Face& face, const raster::DrawList& drawn, std::uint32_t t) {
+                       return polygonOn(device, face, drawn, t);
                      },
                      [=](double position) { return snapOn(device, position); }, fineness};
   if (device.bottomRight)
@@ -187,8 +187,8 @@ reference::StagedDevice stagedDeviceOf(const SimulatedDevice& device, const rast
   stages.interpolate = [=](const SnappedTriangle& triangle, const SnappedPoint& position) {
     return texcoordOn(device, triangle, position);
   };
-  stages.fetch = [=](const raster::DrawList& list, std::size_t map, const reference::Lookup& lookup) {
-    return fetchOn(device, list.indexMaps[map], lookup, *random);
+  stages.fetch = [=](const raster::DrawList& drawn, std::size_t map, const reference::Lookup& lookup) {
+    return fetchOn(device, drawn.indexMaps[map], lookup, *random);
   };
   if (device.blend)
     stages.blend = [=](const raster::DrawList&, raster::ItemId offset, raster::ItemId texel) {

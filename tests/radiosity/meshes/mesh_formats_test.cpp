@@ -350,5 +350,5 @@ TEST_CASE("loadScene with facets makes a surface of each face, named by its numb
   CHECK(named.surfaces[1].family == "floor#1");
   CHECK(named.surfaces[2].family == "obstruction#2");
   CHECK_THAT(named.warnings.front(), Catch::StartsWith("1 surface"));
-  CHECK_THROWS_AS(loadScene(folder.path / "a.vs3", {.sides = Sides::Two, .facets = true}), raster::InputError);
+  CHECK_THROWS_AS(loadScene(folder.path / "a.vs3", {.sides = Sides::TwoOfSheets, .facets = true}), raster::InputError);
 }

@@ -88,8 +88,9 @@ TEST_CASE("reduce calls the device at most as often as it may", "[verdict]") {
   CHECK(runs == 7);
 }
 
-// The device with the fault draws each smaller vector. Triangles: most faults show on one, a wrong order on two.
-TEST_CASE("reduce leaves one triangle of half of the known faults, and at most two of each", "[verdict]") {
+// The device with the fault draws each smaller vector. Triangles: most faults show on one, a wrong order on two, and the
+// map of another draw on those of two draws.
+TEST_CASE("reduce leaves one triangle of half of the known faults, and at most four of each", "[verdict]") {
   std::vector<std::size_t> triangles;
   for (const tests::Injection& injection : tests::injectedFaults()) {
     INFO(injection.fault << " on " << injection.vector);
@@ -112,6 +113,6 @@ TEST_CASE("reduce leaves one triangle of half of the known faults, and at most t
   }
   std::sort(triangles.begin(), triangles.end());
   CHECK(triangles[triangles.size() / 2] == 1);
-  CHECK(triangles.back() <= 2);
+  CHECK(triangles.back() <= 4);
   CHECK(triangles.size() > 20);
 }

@@ -50,7 +50,8 @@ TEST_CASE("makeVulkanRenderer draws the whole suite without errors, and 99.99 % 
     INFO(vector.name);
     const reference::Verdict verdict = judge(vector, draw(vector), {});
     CHECK(!hasErrors(verdict));
-    suite += tests::tallyOf(vector, verdict);
+    // These ask how devices round vertices, which they may choose; llvmpipe's rounding differs between processors.
+    if (!vector.name.starts_with("snapping")) suite += tests::tallyOf(vector, verdict);
   }
   CHECK(suite.covered > 200000);
   CHECK(static_cast<double>(suite.exact) >= 0.9999 * static_cast<double>(suite.covered));
