@@ -4,9 +4,13 @@
 #include <string>
 
 #include "raster/base/input_error.h"
-#include "raster/interface/assembly.h"
 
 namespace hemitex::raster {
+
+// Of assembly.h, which needs draw lists.
+bool isAssembled(const DrawList& list);
+DrawList assembled(const DrawList& list);
+
 namespace {
 
 void validateFormat(const IdFormat& format) {

@@ -69,6 +69,8 @@ const std::map<std::string, Writer> writers{
     {"hemitex vector calibrate --probes", {"out", "vector calibrate --probes OUT", "", "", false}},
     {"hemitex vector calibrate -o,--output",
      {"out", "vector calibrate probes --candidate drawn -o OUT", "", "probes/edge-rule/vector.json"}},
+    {"hemitex vector calibrate --html",
+     {"out", "vector calibrate probes --candidate drawn -o answers --html OUT", "", "probes/edge-rule/vector.json"}},
 };
 
 std::string replaced(std::string text, const std::string& word, const std::string& by) {

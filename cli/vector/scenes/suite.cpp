@@ -30,7 +30,7 @@ void addVectorSuite(Command vector, Context& context) {
   const Command command = vector.addCommand("suite", "Write every test vector of the suite, one folder each");
   addInteger(command, "--rules", options->rules, 1, 2, "version of the rules; the suite of version 2 is another one");
   addOutput(command, options->output, "write the vectors into this folder");
-  command.addExamples({"-o suite", "-o suite --json", "--rules 2 -o suite-2"});
+  command.addExamples({"-o suite", "--rules 2 -o suite-2"});
   command.onRead([options, &context] { context.command = [options, &context] { writeSuite(*options, context); }; });
 }
 
