@@ -543,8 +543,8 @@ void addFormFactors(Command program, Context& context) {
   addDiscretizationOptions(command, options->discretization);
   addIdOptions(command, options->id);
   addSceneOptions(command, options->scene);
-  for (const char* chosen : {"--resolution", "--orientation", "--split", "--direct", "--pixels-per-element",
-                             "--discretize", "--method", "--samples", "--texels", "--texel-size", "--surface"})
+  for (const char* chosen : {"--resolution", "--orientation", "--split", "--pixels-per-element", "--discretize",
+                             "--method", "--samples", "--texels", "--texel-size", "--surface"})
     maxError.excludes(command.option(chosen));
   command.showFirst({"--from", "--by-surface", "--all", "--facets", "--smooth", "--method", "--resolution", "--samples",
                      "--texels", "--patch"});

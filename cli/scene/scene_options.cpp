@@ -31,7 +31,6 @@ const Choices<IndexMaps> indexMapsChoices{
 const Choices<raster::Blend> blendChoices{{"clamped-add", raster::Blend::ClampedAdd},
                                           {"integer-add", raster::Blend::IntegerAdd}};
 const Choices<ElementsBy> elementsByChoices{{"texture", ElementsBy::Texture}, {"mesh", ElementsBy::Mesh}};
-const Choices<bool> directChoices{{"shot", false}, {"gathered", true}};
 const Choices<Orientation> orientationChoices{{"aligned", Orientation::Aligned}, {"turned", Orientation::Turned}};
 
 constexpr int largestTexels = 4096;
@@ -288,10 +287,6 @@ void addDrawingOptions(Command command, radiosity::DrawingSettings& settings) {
       "subdivide a patch while more than this share of its flux would go elsewhere from other points of it (default "
       "0.003). Bright patches are subdivided further. 1 means no subdivision.",
       readSplit);
-  addChoice(
-      command, "--direct", settings.gathersDirect, directChoices,
-      "draw the light of lamps from their patches (shot), or compute it by closed forms and rays from the elements "
-      "that receive it (gathered), which is smoother and right beside lamps (default shot)");
   addPositive(
       command, "--pixels-per-element", settings.pixelsPerElement, std::numeric_limits<double>::infinity(),
       "use a coarser index map for a surface that has fewer pixels per visible element than this (default: never). 4 "
@@ -299,13 +294,11 @@ void addDrawingOptions(Command command, radiosity::DrawingSettings& settings) {
 }
 
 ordered_json toJson(const radiosity::DrawingSettings& settings) {
-  ordered_json json{{"discretize", nameOf(elementsByChoices, settings.elementsBy)},
-                    {"resolution", settings.resolution},
-                    {"orientation", nameOf(orientationChoices, settings.orientation)},
-                    {"split", settings.split},
-                    {"pixels_per_element", settings.pixelsPerElement}};
-  if (settings.gathersDirect) json["direct"] = nameOf(directChoices, settings.gathersDirect);
-  return json;
+  return {{"discretize", nameOf(elementsByChoices, settings.elementsBy)},
+          {"resolution", settings.resolution},
+          {"orientation", nameOf(orientationChoices, settings.orientation)},
+          {"split", settings.split},
+          {"pixels_per_element", settings.pixelsPerElement}};
 }
 
 std::optional<radiosity::ProjectionKind> projectionNamed(const std::string& method) {
@@ -323,8 +316,8 @@ Option addMethod(Command command, std::string& method, const std::vector<std::st
 }
 
 std::vector<std::string> drawingOptionNames() {
-  return {"--discretize", "--resolution", "--orientation", "--direct", "--pixels-per-element",
-          "--format",     "--index-maps", "--page",        "--blend",  "--no-align"};
+  return {"--discretize", "--resolution", "--orientation", "--pixels-per-element", "--format", "--index-maps",
+          "--page",       "--blend",      "--no-align"};
 }
 
 void refuseUnused(Command command, const std::vector<std::string>& options, const std::string& method) {

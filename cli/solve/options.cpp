@@ -103,7 +103,7 @@ void addFacetOptions(Command command, SolveOptions& options) {
                                      "--all` or another program computed for the same mesh (default: compute them)",
                                      "FILE");
   for (const char* other : {"--no-facets", "--texels", "--texel-size", "--surface", "--adaptive", "--max-error",
-                            "--method", "--resolution", "--orientation", "--split", "--direct"})
+                            "--method", "--resolution", "--orientation", "--split"})
     matrix.excludes(command.option(other));
   command.option("--facets").excludes(command.option("--adaptive"));
 }
@@ -115,8 +115,7 @@ void completeFacets(Command command, SolveOptions& options) {
                          options.edits.empty();
   if (!options.facets && !isDefault && options.matrix.empty()) return;
   chooseFacets(command, options.scene.settings, options.discretization);
-  if (options.maxError)
-    refuseUnused(command, {"--texels", "--texel-size", "--surface", "--direct"}, "hemicube --max-error");
+  if (options.maxError) refuseUnused(command, {"--texels", "--texel-size", "--surface"}, "hemicube --max-error");
 }
 
 /// Adds the options of display textures.

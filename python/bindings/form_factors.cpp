@@ -248,7 +248,6 @@ radiosity::DrawingSettings drawingSettings(const Settings& settings, const std::
   assign(drawing.orientation, settings.choice<Orientation>(
                                   "orientation", {{"turned", Orientation::Turned}, {"aligned", Orientation::Aligned}}));
   assign(drawing.split, settings.number("split", 1e-9, 1e300));
-  assign(drawing.gathersDirect, settings.choice<bool>("direct", {{"shot", false}, {"gathered", true}}));
   assign(drawing.elementsBy,
          settings.choice<ElementsBy>("elements_by", {{"texture", ElementsBy::Texture}, {"mesh", ElementsBy::Mesh}}));
   return drawing;

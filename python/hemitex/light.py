@@ -87,7 +87,6 @@ def solve(what: Scene | Elements,
           resolution: int = 256,
           orientation: Literal["turned", "aligned"] = "turned",
           split: float = 0.003,
-          direct: Literal["shot", "gathered"] = "shot",
           elements_by: Literal["texture", "mesh"] = "texture",
           format: str = "r8g8b8a8",
           samples: int | None = None,
@@ -100,14 +99,13 @@ def solve(what: Scene | Elements,
     residual: stops when so much of the emitted flux is unshot (default 0.001; 0.00001 with light from outside).
     max_error: solves with growing effort until the expected error is at most this share, of all flux and of what
     `seen_by` sees; of facets, bounds the error of every row of form factors. format: channels of item IDs.
-    direct: gathered finds the light of lamps by closed forms and rays from the elements that receive it. editable:
-    `edit` takes the solution.
+    editable: `edit` takes the solution.
     progress: a function of the share that is done; if it returns False, the solution ends with what it has.
     """
     elements = _elements(what, editable)
     settings = _settings(residual=residual, shots=shots, max_error=max_error, method=method, format=format,
                          samples=samples, seed=seed, editable=editable, elements_by=elements_by,
-                         orientation=orientation, direct=direct)
+                         orientation=orientation)
     if max_error is None:
         settings.update(resolution=resolution, split=split)
     seen_from = None if max_error is None else vars(seen_by or camera(elements.scene))

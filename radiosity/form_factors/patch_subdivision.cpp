@@ -26,12 +26,6 @@ int halvingsFor(double weight) {
   return halvings;
 }
 
-Patch settled(Patch patch, double weight) {
-  patch.halvings = halvingsFor(weight);
-  patch.isSettled = true;
-  return patch;
-}
-
 /// A part of a patch.
 struct PatchSubdivision::Part {
   Patch block;

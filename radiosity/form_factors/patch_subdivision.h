@@ -50,9 +50,6 @@ inline constexpr int maxHalvings = 8;
 /// Number of halvings of the resolution, 0 to maxHalvings, for a patch of this weight that is not split.
 int halvingsFor(double weight);
 
-/// A patch of this weight that is not split.
-Patch settled(Patch patch, double weight);
-
 /// The parts that replace a patch before its first shot (see replacePatch); one part if one point is enough. `weight`
 /// is its unshot flux over a 256th of all emitted flux, or 256 times what it adds to the seen light (see SeenLight).
 using PatchSplit = std::function<std::vector<Patch>(const Patches& patches, const Patch& patch, double weight)>;

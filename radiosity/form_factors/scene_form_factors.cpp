@@ -36,7 +36,6 @@ SceneFormFactors::SceneFormFactors(const Scene& scene, const Discretization& dis
       renderer_(sceneRenderer(scene, discretization_, layout_, settings.elementsBy, makeRenderer)),
       rows_(scene, discretization_, layout_, *renderer_,
             {settings.resolution, settings.orientation, settings.projection, settings.pixelsPerElement}) {
-  if (settings.gathersDirect) gathering_.emplace(scene, discretization_, settings.resolution);
   if (settings.split >= 1) return;
   if (settings.elementsBy == ElementsBy::Mesh)
     textures_ = softwareRenderer(makeDrawList(scene, discretization_, layout_));
@@ -55,7 +54,6 @@ RowSource SceneFormFactors::rowOf() {
 }
 
 std::optional<FormFactorRow> SceneFormFactors::corrected(const Patch& patch, const FormFactorRow& drawn) {
-  if (isGathered(patch)) return gathering_->gathered(patch, drawn);
   return near_ ? near_->corrected(patch, drawn) : std::nullopt;
 }
 
@@ -70,7 +68,6 @@ OutsideFlux SceneFormFactors::outsideFlux() {
 PatchSplit SceneFormFactors::splits() {
   if (!splitter_) return {};
   return [this](const Patches& patches, const Patch& patch, double weight) {
-    if (const Patch whole = settled(patch, weight); isGathered(whole)) return std::vector{whole};
     return splitter_->split(patches, patch, weight);
   };
 }
@@ -81,8 +78,7 @@ RowSource SceneFormFactors::scoutRows() {
 }
 
 std::vector<ViewPoint> SceneFormFactors::likelyPoints(const Patches& patches, Patch patch, double weight) {
-  const bool isWhole = isGathered(settled(patch, weight));
-  if (splitter_ && !isWhole && splitter_->wouldSplit(patches, patch, weight)) return {};
+  if (splitter_ && splitter_->wouldSplit(patches, patch, weight)) return {};
   if (splitter_ && !patch.isSettled) patch.halvings = halvingsFor(weight);
   return rows_.pointsOfPatch(patch);
 }

@@ -8,7 +8,6 @@
 
 #include "radiosity/discretization/discretization.h"
 #include "radiosity/form_factors/form_factor_row.h"
-#include "radiosity/form_factors/gathered_rows.h"
 #include "radiosity/form_factors/near_receivers.h"
 #include "radiosity/form_factors/outside_flux.h"
 #include "radiosity/form_factors/patch_subdivision.h"
@@ -34,7 +33,6 @@ struct DrawingSettings {
   ElementsBy elementsBy = ElementsBy::Texture;
   ProjectionKind projection = ProjectionKind::Hemicube;
   double pixelsPerElement = 0;  ///< see ViewSettings
-  bool gathersDirect = false;   ///< gathers the light of patches that emit (see GatheredRows)
 };
 
 /// Makes the renderer of a draw list.
@@ -65,15 +63,12 @@ class SceneFormFactors {
   FormFactorRow row(const Patch& patch);
   /// As `row`. Keeps a reference to this object.
   RowSource rowOf();
-  /// Whether the light of a patch is gathered.
-  bool isGathered(const Patch& patch) const { return gathering_ && gathering_->isGathered(patch); }
-  /// A row that was drawn for a patch, gathered (see GatheredRows), or with the shares of small elements near it
-  /// replaced (see NearReceivers); nothing if there are none, or if no patch is to be split.
+  /// A row that was drawn for a patch, with the shares of small elements near it replaced (see NearReceivers); nothing
+  /// if there are none, or if no patch is to be split.
   std::optional<FormFactorRow> corrected(const Patch& patch, const FormFactorRow& drawn);
   /// Null if no patch is to be split.
   NearReceivers* near() { return near_ ? &*near_ : nullptr; }
-  /// The parts of patches during a solution; empty if no patch is to be split. Patches whose light is gathered stay
-  /// whole. Keeps a reference to this object.
+  /// The parts of patches during a solution; empty if no patch is to be split. Keeps a reference to this object.
   PatchSplit splits();
   /// The rows of low resolution that decide how patches are split; empty if no patch is to be split. Keeps a reference
   /// to this object.
@@ -98,7 +93,6 @@ class SceneFormFactors {
       textures_;  ///< renderer for split tests, if rows are drawn in another way
   std::optional<PatchSubdivision> splitter_;
   std::optional<NearReceivers> near_;
-  std::optional<GatheredRows> gathering_;
 };
 
 }  // namespace hemitex::radiosity

@@ -255,43 +255,6 @@ void RayTree::appendNear(const glm::dvec3& low, const glm::dvec3& high, std::vec
       });
 }
 
-bool RayTree::isBlocked(const glm::dvec3& from, const glm::dvec3& to) const {
-  bool isFound = false;
-  trace(from, to - from, 1, [&](const TriangleHit& hit, const Leaf& leaf, double& end) {
-    if (leaf.isHidden || (!hit.isFront && leaf.isBacked)) return;
-    isFound = true;
-    end = 0;
-  });
-  return isFound;
-}
-
-bool RayTree::mayBlock(const Bounds& from, const Bounds& to, const std::vector<Plane>& planes) const {
-  // The boxes and all between them lie within a distance of the line through their middles.
-  const glm::dvec3 distance = glm::max(from.high - from.low, to.high - to.low) / 2.0;
-  const glm::dvec3 origin = (from.low + from.high) / 2.0, direction = (to.low + to.high) / 2.0 - origin;
-  const BoxRay line(origin, inverseOf(direction));
-  const auto entryOf = [&](const glm::dvec3& low, const glm::dvec3& high, double end) {
-    return line.entry({low - distance, high + distance}, end);
-  };
-  const double beyond = 1 + 1e-9;
-  bool isFound = false;
-  walk(
-      beyond, [&](const Node& node, double end) { return entryOf(node.corners[0], node.corners[1], end); },
-      [&](const Leaf& leaf, double& end) {
-        const glm::dvec3 &a = leaf.corner, b = a + leaf.along1, c = a + leaf.along2;
-        const auto isBehind = [&](const Plane& plane) {
-          const double limit = plane.offset + touching_;
-          return glm::dot(plane.normal, a) <= limit && glm::dot(plane.normal, b) <= limit &&
-                 glm::dot(plane.normal, c) <= limit;
-        };
-        if (leaf.isHidden || std::any_of(planes.begin(), planes.end(), isBehind)) return;
-        if (!(entryOf(glm::min(glm::min(a, b), c), glm::max(glm::max(a, b), c), beyond) < beyond)) return;
-        isFound = true;
-        end = 0;
-      });
-  return isFound;
-}
-
 bool RayTree::meetsBack(const glm::dvec3& origin, const glm::dvec3& direction, double distance, double cosine) const {
   bool isFound = false;
   trace(origin, direction, distance, [&](const TriangleHit& hit, const Leaf& leaf, double& end) {

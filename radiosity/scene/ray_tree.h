@@ -24,12 +24,6 @@ struct TriangleHit {
   std::int32_t shell = 0;                   ///< of the triangle
 };
 
-/// The points x with normal . x = offset; those with larger values are in front.
-struct Plane {
-  glm::dvec3 normal{0.0};  ///< unit
-  double offset = 0;
-};
-
 class RayTree {
  public:
   /// Copies all corners. Takes O(n log n) time for n triangles.
@@ -41,11 +35,6 @@ class RayTree {
   /// Whether the ray meets the back of a triangle that faces along it, up to a distance in lengths of its direction.
   /// "Along" means that the cosine of the angle between the normal and the ray is at least `cosine`.
   bool meetsBack(const glm::dvec3& origin, const glm::dvec3& direction, double distance, double cosine) const;
-  /// Whether something visible lies between two points: a front, or a back that is not backed.
-  bool isBlocked(const glm::dvec3& from, const glm::dvec3& to) const;
-  /// Whether a triangle may lie between points of two boxes; if not, all of these points see each other. Triangles
-  /// behind one of the planes, or up to contactTolerance in front of it, do not count.
-  bool mayBlock(const Bounds& from, const Bounds& to, const std::vector<Plane>& planes) const;
   /// Calls visit(hit) for all triangles that a ray meets, in any order, also for backs that are backed and for
   /// Scene::covered, which have no surface.
   void visitHits(const glm::dvec3& origin, const glm::dvec3& direction,

@@ -240,21 +240,10 @@ class LightUpdate {
     }
   }
 
-  /// Whether the light of a patch that stays is gathered before or after the edit; in one of the two alone, because the
-  /// edit changed its emission.
-  bool isGathered(std::uint32_t patch) const {
-    return before_.drawn.isGathered(patchBefore(patch)) || after_.drawn.isGathered(patchAfter(patch));
-  }
-  bool isGatheredInOne(std::uint32_t patch) const {
-    return before_.drawn.isGathered(patchBefore(patch)) != after_.drawn.isGathered(patchAfter(patch));
-  }
-
   /// Whether the row of a patch that stays may be corrected, before or after the edit.
   bool mayBeCorrected(std::uint32_t patch) {
-    if (!numbers_.patch[patch]) return false;
-    if (isGathered(patch)) return !isSameGeometry() || isGatheredInOne(patch);
     NearReceivers* before = before_.drawn.near();
-    if (!before || isSameGeometry()) return false;
+    if (!before || isSameGeometry() || !numbers_.patch[patch]) return false;
     if (areOthersSmall_) return true;
     const Patch& old = patchBefore(patch);
     if (before->known().of(patch) == NearRows::State::Unknown) before->corrected(old, drawnBefore(patch));
@@ -265,25 +254,19 @@ class LightUpdate {
 
   /// Whether the row of a patch that shot nothing, or that is not corrected, is unchanged.
   bool isUnchanged(std::uint32_t patch, double share) const {
-    if (isGathered(patch)) return isSameGeometry() && !isGatheredInOne(patch);
     NearReceivers* before = before_.drawn.near();
     if (share > 0 || areOthersSmall_) return false;
     return !before || isSameGeometry() || before->known().of(patch) == NearRows::State::Drawn;
   }
 
   const Patch& patchBefore(std::uint32_t number) const { return before_.discretization.patches.list[number]; }
-  /// The patch that it is now; its number must stay.
-  const Patch& patchAfter(std::uint32_t number) const {
-    return after_.discretization.patches.list[*numbers_.patch[number]];
-  }
 
   FormFactorRow renumbered(const FormFactorRow& row) const { return inNewNumbers(row, numbers_, gone_); }
 
   /// The drawn row of a former patch, if it is in a cache as a whole.
   const FormFactorRow* knownDrawn(std::uint32_t patch) const {
     NearReceivers* near = before_.drawn.near();
-    const bool isDrawn = !near || near->known().of(patch) == NearRows::State::Drawn;
-    if (isDrawn && !before_.drawn.isGathered(patchBefore(patch))) return kept_.ofPatches.find(patch);
+    if (!near || near->known().of(patch) == NearRows::State::Drawn) return kept_.ofPatches.find(patch);
     return viewCount(patchBefore(patch)) == 0 ? kept_.ofViews.find(viewNumber(patch, 0)) : nullptr;
   }
 

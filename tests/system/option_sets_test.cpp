@@ -29,7 +29,6 @@ const std::vector<std::string> choices{"--texels 6",
                                        "--split 0.01",
                                        "--orientation aligned",
                                        "--pixels-per-element 4",
-                                       "--direct gathered",
                                        "--method tetrahedron",
                                        "--method rays --samples 4096 --seed 3",
 
