@@ -58,8 +58,7 @@ std::string hashOf(const radiosity::Scene& scene) {
     Bytes bytes;
     bytes.add(image.width, image.height);
     if (!(image.sampler == radiosity::Sampler()))
-      bytes.add(image.sampler.place[0], image.sampler.place[1], image.sampler.place[2], image.sampler.wrap[0],
-                image.sampler.wrap[1]);
+      bytes.add(image.sampler.place, image.sampler.wrap);
     for (const glm::dvec3& pixel : image.pixels) bytes.add(pixel);
     extend(bytes);
   }

@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <type_traits>
 
 #include "radiosity/images/image_module.h"
 #include "raster/base/file_io.h"
@@ -15,6 +16,9 @@
 #include "raster/base/memory_budget.h"
 
 namespace hemitex::radiosity {
+
+static_assert(std::is_nothrow_move_constructible_v<Image>);
+
 namespace {
 
 /// As imageFunctions. Throws InputError where the module is not found.

@@ -17,11 +17,16 @@ enum class Wrap { Repeat, Clamp, Mirror };
 
 /// How texture coordinates lead to a place in an image.
 struct Sampler {
-  glm::dmat3x2 place{1.0};  ///< from (u, v, 1)
+  /// The columns of the matrix from (u, v, 1). A list of images with a matrix of GLM would copy instead of move them
+  /// when it grows, and take twice the memory.
+  std::array<double, 6> place = {1, 0, 0, 1, 0, 0};
   std::array<Wrap, 2> wrap = {Wrap::Repeat, Wrap::Repeat};
 
-  glm::dvec2 operator()(const glm::dvec2& texcoord) const { return place * glm::dvec3(texcoord, 1); }
-  bool operator==(const Sampler& other) const { return place == other.place && wrap == other.wrap; }
+  glm::dvec2 operator()(const glm::dvec2& texcoord) const {
+    return {place[0] * texcoord.x + place[2] * texcoord.y + place[4],
+            place[1] * texcoord.x + place[3] * texcoord.y + place[5]};
+  }
+  bool operator==(const Sampler&) const = default;
 };
 
 /// Row-major RGB image with linear values; row 0 is the top.

@@ -83,8 +83,7 @@ MapStatement readMap(const TextLine& line) {
   tinyobj::texture_option_t options{};
   options.scale[0] = options.scale[1] = options.scale[2] = 1;
   tinyobj::ParseTextureNameAndOption(&map.image, &options, withAllNumbers(line.rest).c_str());
-  map.sampler.place = glm::dmat3x2(glm::dvec2(options.scale[0], 0), glm::dvec2(0, options.scale[1]),
-                                   glm::dvec2(options.origin_offset[0], options.origin_offset[1]));
+  map.sampler.place = {options.scale[0], 0, 0, options.scale[1], options.origin_offset[0], options.origin_offset[1]};
   if (options.clamp) map.sampler.wrap = {Wrap::Clamp, Wrap::Clamp};
   constexpr std::string_view harmless = " -s -o -clamp -blendu -blendv -texres -boost -bm ";
   std::string_view rest = line.rest.substr(0, line.rest.size() - std::min(line.rest.size(), map.image.size()));

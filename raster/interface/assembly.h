@@ -11,14 +11,6 @@
 
 namespace hemitex::raster {
 
-/// Whether all draws are triangles of three indices, and the value of a pixel has 32 bits.
-bool isAssembled(const DrawList& list);
-
-/// The same triangles in the same order with the same values, as an assembled list. Each instance is a draw of its own
-/// with vertices of its own. Pairs become triangle numbers (PairNumbers). Throws InputError if indices, runs or
-/// instances are out of range, or if an offset is wider than the format.
-DrawList assembled(const DrawList& list);
-
 /// The triangles of a draw, as vertices in the order of the rules.
 std::vector<std::array<std::uint32_t, 3>> trianglesOf(const DrawList& list, const Draw& draw);
 

@@ -6,11 +6,6 @@
 #include "raster/base/input_error.h"
 
 namespace hemitex::raster {
-
-// Of assembly.h, which needs draw lists.
-bool isAssembled(const DrawList& list);
-DrawList assembled(const DrawList& list);
-
 namespace {
 
 void validateFormat(const IdFormat& format) {

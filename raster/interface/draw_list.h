@@ -124,6 +124,14 @@ inline ItemId clearedValue(const DrawList& list) {
 /// ID wider than the format, or a draw that can produce the background. Holes are no item IDs.
 void validate(const DrawList& list);
 
+/// Whether all draws are triangles of three indices, and the value of a pixel has 32 bits.
+bool isAssembled(const DrawList& list);
+
+/// The same triangles in the same order with the same values, as an assembled list. Each instance is a draw of its own
+/// with vertices of its own. Pairs become triangle numbers (see assembly.h). Throws InputError if indices, runs or
+/// instances are out of range, or if an offset is wider than the format.
+DrawList assembled(const DrawList& list);
+
 /// Whether pixels show the nearest triangle, by 1/w, of a scene. Only PlainRenderer draws other lists.
 bool isUsual(const DrawList& list);
 /// Throws InputError for any other list.

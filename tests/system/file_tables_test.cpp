@@ -13,12 +13,14 @@
 #include "radiosity/scene/load_scene.h"
 #include "raster/base/file_io.h"
 #include "raster/base/input_error.h"
+#include "tests/support/base64.h"
 #include "tests/support/shell.h"
 #include "tests/support/temporary_folder.h"
 
 using namespace hemitex;
 using namespace hemitex::radiosity;
 using nlohmann::json;
+using tests::base64;
 using tests::writeAll;
 
 namespace {
@@ -94,18 +96,6 @@ std::string bytesOf(const std::vector<Value>& values) {
   std::string bytes(values.size() * sizeof(Value), '\0');
   std::memcpy(bytes.data(), values.data(), bytes.size());
   return bytes;
-}
-
-std::string base64(const std::string& bytes) {
-  constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    std::uint32_t bits = 0;
-    for (std::size_t k = 0; k < 3; ++k)
-      bits = bits << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0U);
-    for (std::size_t k = 0; k < 4; ++k) text += i + k <= bytes.size() ? digits[bits >> (18 - 6 * k) & 63] : '=';
-  }
-  return text;
 }
 
 /// A cube of two triangles per side: each side has corners of its own, with texture coordinates 0 to 1.

@@ -46,7 +46,7 @@ Wrap wrapOf(int mode) {
 
 /// The place of KHR_texture_transform in an image, between coordinates with v = 0 at the bottom. The extension turns
 /// around the top left corner; its example shows in which direction.
-glm::dmat3x2 placeOf(const tinygltf::Value& transform) {
+std::array<double, 6> placeOf(const tinygltf::Value& transform) {
   const auto pair = [&](const char* key, const glm::dvec2& missing) {
     const std::vector<double> numbers = numbersIn(transform, key);
     return numbers.size() == 2 ? glm::dvec2(numbers[0], numbers[1]) : missing;
@@ -55,7 +55,7 @@ glm::dmat3x2 placeOf(const tinygltf::Value& transform) {
   const std::vector<double> rotation = numbersIn(transform, "rotation");
   const double angle = rotation.empty() ? 0 : rotation.front(), c = std::cos(angle), s = std::sin(angle);
   const glm::dvec2 u(c * scale.x, -s * scale.x), v(s * scale.y, c * scale.y), fromTop = v + offset;
-  return {glm::dvec2(u.x, -u.y), glm::dvec2(-v.x, v.y), glm::dvec2(fromTop.x, 1 - fromTop.y)};
+  return {u.x, -u.y, -v.x, v.y, fromTop.x, 1 - fromTop.y};
 }
 
 /// How a material uses a texture. The image of an extension counts where the texture has no other.

@@ -121,17 +121,17 @@ tinygltf::TextureInfo useOf(const std::optional<int>& texture, const std::vector
   tinygltf::TextureInfo info;
   if (!texture) return info;
   info.index = *texture;
-  const glm::dmat3x2& place = textures[static_cast<std::size_t>(*texture)].sampler.place;
+  const std::array<double, 6>& place = textures[static_cast<std::size_t>(*texture)].sampler.place;
   if (place == Sampler().place) return info;
   // With v from the top: u and v are the columns of a scale and a turn.
-  const glm::dvec2 u(place[0].x, -place[0].y), v(-place[1].x, place[1].y);
+  const glm::dvec2 u(place[0], -place[1]), v(-place[2], place[3]);
   const double scale = glm::length(u), angle = std::atan2(-u.y, u.x);
   const auto pair = [](double x, double y) {
     return tinygltf::Value(tinygltf::Value::Array{tinygltf::Value(x), tinygltf::Value(y)});
   };
   tinygltf::Value::Object transform;
   transform["scale"] = pair(scale, std::sin(angle) * v.x + std::cos(angle) * v.y);
-  transform["offset"] = pair(place[2].x - v.x, 1 - place[2].y - v.y);
+  transform["offset"] = pair(place[4] - v.x, 1 - place[5] - v.y);
   if (angle != 0) transform["rotation"] = tinygltf::Value(angle);
   info.extensions["KHR_texture_transform"] = tinygltf::Value(std::move(transform));
   return info;

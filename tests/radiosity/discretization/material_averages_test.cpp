@@ -98,7 +98,7 @@ TEST_CASE("meansOfMap clamps, mirrors and moves texture coordinates as the sampl
   CHECK(meanAt({-0.5, 0}, {0.5, 1}, mirror) == Approx(0).margin(1e-12));
   CHECK(meanAt({0.5, 0}, {1.5, 1}, {}) == Approx(0.5));
   Sampler moved;
-  moved.place = glm::dmat3x2(glm::dvec2(0.5, 0), glm::dvec2(0, 1), glm::dvec2(0.5, 0));
+  moved.place = {0.5, 0, 0, 1, 0.5, 0};
   CHECK(meanAt({0, 0}, {1, 1}, moved) == Approx(1));
 }
 

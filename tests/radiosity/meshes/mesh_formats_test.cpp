@@ -9,11 +9,13 @@
 #include "radiosity/meshes/vtk_arrays.h"
 #include "radiosity/scene/load_scene.h"
 #include "raster/base/input_error.h"
+#include "tests/support/base64.h"
 #include "tests/support/shell.h"
 #include "tests/support/temporary_folder.h"
 
 using namespace hemitex;
 using namespace hemitex::radiosity;
+using tests::base64;
 using tests::writeAll;
 
 namespace {
@@ -119,18 +121,6 @@ std::string legacyVtk(bool isBinary, bool isVersion5, bool isGrid) {
     for (const int type : {5, 7, 9}) add(std::int32_t{type});
   }
   return bytes + "\nCELL_DATA 3\nSCALARS a int\nLOOKUP_TABLE default\n1 2 3\n";
-}
-
-std::string base64(const std::string& bytes) {
-  constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    std::uint32_t bits = 0;
-    for (std::size_t k = 0; k < 3; ++k)
-      bits = bits << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0U);
-    for (std::size_t k = 0; k < 4; ++k) text += i + k <= bytes.size() ? digits[bits >> (18 - 6 * k) & 63] : '=';
-  }
-  return text;
 }
 
 /// The options of VTK's writers.
