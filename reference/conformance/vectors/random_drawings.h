@@ -59,8 +59,8 @@ inline void append(raster::DrawList& list, const Corners& p, const TexCoords& t)
 
 /// Adds a triangle as a draw of its own; every other one has a back item ID.
 inline void add(Drawing& drawing, const Corners& p, const TexCoords& t) {
-  const auto number = static_cast<ItemId>(drawing.list.draws.size());
-  addDraw(drawing.list, number << 16, number % 2 == 0 ? std::optional<ItemId>() : 0xfffffffe, 0);
+  const auto number = static_cast<raster::ItemId>(drawing.list.draws.size());
+  addDraw(drawing.list, number << 16, number % 2 == 0 ? std::optional<raster::ItemId>() : 0xfffffffe, 0);
   append(drawing.list, p, t);
 }
 
