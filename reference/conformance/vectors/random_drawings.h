@@ -6,6 +6,7 @@
 
 #include <array>
 #include <glm/glm.hpp>
+#include <optional>
 #include <utility>
 
 #include "reference/conformance/vectors/draw_list_builder.h"
