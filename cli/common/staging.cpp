@@ -52,6 +52,15 @@ Descriptor ownFolder(const Folder& outer, const std::string& name) {
   return folder;
 }
 
+/// Locks a folder; waits at most a second for another run that has the lock.
+bool locksSoon(int folder) {
+  for (int look = 0; look < 100; ++look) {
+    if (flock(folder, LOCK_EX | LOCK_NB) == 0) return true;
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  return false;
+}
+
 /// Opens and locks a folder in another one. Not open if another run has locked it. Throws InputError if what has the
 /// name is no folder of this user.
 Descriptor lockedFolder(const Folder& outer, const std::string& name) {
@@ -65,8 +74,9 @@ Descriptor lockedFolder(const Folder& outer, const std::string& name) {
     if (!folder.isOpen())
       throw InputError(outer.pathOf(name).string(), 0, "is in the way of the temporary files of this run",
                        "remove it, or choose another folder");
-    if (flock(folder.get(), LOCK_EX | LOCK_NB) != 0) return Descriptor();
-    // Between opening and locking, the run that had the folder may have removed it.
+    // A run that looks for abandoned folders locks each for a moment.
+    if (!locksSoon(folder.get())) return Descriptor();
+    // Between opening and locking, such a run, or the one that had the folder, may have removed it.
     struct stat opened = {};
     if (fstat(folder.get(), &opened) == 0 && opened.st_ino == outer.placeOf(name).inode) return folder;
   }
@@ -92,13 +102,6 @@ bool isSameFile(const Place& place, const fs::path& file) {
 
 [[noreturn]] void refuse(const Place& place, const std::string& problem) {
   throw InputError(place.path.string(), 0, problem, "move it, or choose another place for the result");
-}
-
-/// Waits until no other run changes the record of a folder, at most a second: the folder may be the temporary one of a
-/// run that started this one, which keeps its lock.
-void lockRecord(const Folder& folder) {
-  for (int look = 0; look < 100 && flock(folder.descriptor(), LOCK_EX | LOCK_NB) != 0; ++look)
-    std::this_thread::sleep_for(std::chrono::milliseconds(10));
 }
 
 }  // namespace
@@ -206,7 +209,9 @@ void Staging::commit(const std::string& last, const std::set<std::string>& stale
       if (!mark(folder() / name, output_.writer, hash)) listed.emplace(name, hash);
   // A run that is killed from here on leaves only files that it could replace, with their old or new content.
   if (!listed.empty()) {
-    lockRecord(final_);
+    // Another run may change the record; or the folder is the temporary one of a run that started this one, which keeps
+    // its lock.
+    locksSoon(final_.descriptor());
     if (!record_.isCurrent(final_)) record_ = OutputRecord(final_);
     for (const auto& [name, hash] : listed) record_.add(name, output_.writer, hash);
     writeRecord();

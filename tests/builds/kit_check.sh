@@ -88,7 +88,7 @@ expect 0 run $kit/vectors --device "${program[*]} serve" --lines -o /part --shar
 # Version 2 of the rules: what only its vectors have.
 for family in holes culled-sides two-sided triangle-numbers depth-tests viewports; do
   expect 0 random --family $family --seed 0 --count 5 -o /second/$family
-  grep -q '"version": 2' "$root/second/$family/$family-0/vector.json" || fail "$family is not of version 2"
+  grep -q '"rules": 2' "$root/second/$family/$family-0/vector.json" || fail "$family is not of version 2"
   expect 0 run /second/$family --device "$device" -o /second-mine/$family --exact
   says "^all,[1-9][0-9]*,0,0,0,0,0$"
   says "^reference: agrees with the independent evaluator"

@@ -7,6 +7,7 @@
 #include <random>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "reference/conformance/vectors/vector_file.h"
 
@@ -25,6 +26,12 @@ inline raster::DrawList plainList() {
   list.format = {{32}};
   return list;
 }
+
+/// Triangles and the faces that show them.
+struct Drawing {
+  raster::DrawList list;
+  std::vector<raster::Face> faces;
+};
 
 /// The index map whose texel (column, row) holds row * width + column.
 inline raster::IndexMap countingMap(int width, int height) {

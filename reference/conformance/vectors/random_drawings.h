@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "reference/conformance/vectors/draw_list_builder.h"
-#include "reference/conformance/vectors/random_vectors.h"
+#include "reference/conformance/vectors/random.h"
 
 namespace hemitex::reference {
 
