@@ -146,7 +146,7 @@ Image indexMapView(const RenderOptions& options, const Subject& subject, Console
 /// The first surface with emission in its material, else the first surface.
 std::uint32_t firstEmitter(const radiosity::Scene& scene) {
   for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s)
-    if (scene.materials[static_cast<std::size_t>(scene.surfaces[s].material)].emission != glm::dvec3(0)) return s;
+    if (emits(scene, s)) return s;
   return 0;
 }
 

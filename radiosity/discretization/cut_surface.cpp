@@ -29,31 +29,6 @@ PlaneBox boxAround(const glm::dvec2& a, const glm::dvec2& b, double margin) {
   return {glm::min(a, b) - margin, glm::max(a, b) + margin};
 }
 
-/// Segments in the plane of a triangle, in a tree for box queries.
-class SegmentTree {
- public:
-  /// Queries find segments within `margin` of a box.
-  SegmentTree(const std::vector<Slice>& segments, double margin) : margin_(margin), tree_(boxesOf(segments)) {}
-
-  /// The numbers of the segments near the box around two points, ascending.
-  const std::vector<std::uint32_t>& near(const glm::dvec2& low, const glm::dvec2& high) {
-    tree_.find(boxAround(low, high, margin_), found_);
-    return found_;
-  }
-
- private:
-  static std::vector<PlaneBox> boxesOf(const std::vector<Slice>& segments) {
-    std::vector<PlaneBox> boxes;
-    boxes.reserve(segments.size());
-    for (const Slice& segment : segments) boxes.push_back(boxAround(segment.from, segment.to, 0));
-    return boxes;
-  }
-
-  double margin_;
-  BoxTree tree_;
-  std::vector<std::uint32_t> found_;
-};
-
 /// The plane of a triangle, in units of length.
 struct TrianglePlane {
   glm::dmat2 axes;  ///< maps weights to positions
@@ -192,29 +167,26 @@ class SurfaceCutter {
                 double tolerance)
       : surface_(surface), grid_(grid), slices_(slices), tolerance_(tolerance) {
     for (std::uint32_t t = 0; t < surface_.triangles.size(); ++t) {
-      first_.push_back(static_cast<std::uint32_t>(cuttings_.size()));
+      cut_.first.push_back(static_cast<std::uint32_t>(cut_.cuttings.size()));
+      cut_.isCut.push_back(!slices_[t].empty());
       cut(t);
     }
-    first_.push_back(static_cast<std::uint32_t>(cuttings_.size()));
+    cut_.first.push_back(static_cast<std::uint32_t>(cut_.cuttings.size()));
     joinTexels();
     findRegions();
   }
 
-  CutSurface take() {
-    CutSurface cut{std::move(cuttings_), std::move(first_), {}, std::move(regions_)};
-    for (const std::vector<Slice>& slices : slices_) cut.isCut.push_back(!slices.empty());
-    return cut;
-  }
+  CutSurface take() { return std::move(cut_); }
 
  private:
   /// Fills the cuttings of each region, largest first.
   void findRegions() {
     std::map<std::uint32_t, std::vector<std::uint32_t>> byRoot;
-    for (std::uint32_t i = 0; i < cuttings_.size(); ++i) byRoot[rootOf(i)].push_back(i);
+    for (std::uint32_t i = 0; i < cut_.cuttings.size(); ++i) byRoot[rootOf(i)].push_back(i);
     for (auto& [root, region] : byRoot) {
       std::stable_sort(region.begin(), region.end(),
-                       [&](std::uint32_t a, std::uint32_t b) { return cuttings_[a].area > cuttings_[b].area; });
-      regions_.push_back(std::move(region));
+                       [&](std::uint32_t a, std::uint32_t b) { return cut_.cuttings[a].area > cut_.cuttings[b].area; });
+      cut_.regions.push_back(std::move(region));
     }
   }
 
@@ -223,19 +195,23 @@ class SurfaceCutter {
     const double wholeArea = area(triangle);
     const TrianglePlane plane(triangle);
     std::vector<Slice> slices;
-    for (const Slice& slice : slices_[number]) slices.push_back({plane.place(slice.from), plane.place(slice.to)});
-    SegmentTree tree(slices, 2 * tolerance_);
+    std::vector<PlaneBox> boxes;
+    for (const Slice& slice : slices_[number]) {
+      slices.push_back({plane.place(slice.from), plane.place(slice.to)});
+      boxes.push_back(boxAround(slices.back().from, slices.back().to, 0));
+    }
+    const BoxTree tree(boxes);
+    std::vector<std::uint32_t> near;
     forEachCell(
         inTexels(triangle, grid_.columns, grid_.rows), [&](std::int64_t column, std::int64_t row, const Piece& whole) {
           if (share(whole) <= smallestShare) return;
           const PlaneBox bounds = boxOf(whole, plane);
-          const std::vector<std::uint32_t> near =
-              slices.empty() ? std::vector<std::uint32_t>() : tree.near(bounds.low, bounds.high);
+          if (!slices.empty()) tree.find(boxAround(bounds.low, bounds.high, 2 * tolerance_), near);
           const std::vector<Piece> pieces = piecesOf(whole, plane, slices, near);
           for (const Piece& piece : pieces) {
-            cuttings_.push_back({static_cast<std::uint32_t>(texelOfCell(column, row, grid_.columns, grid_.rows)),
-                                 number, nullptr, centroid(piece), share(piece) * wholeArea});
-            if (pieces.size() > 1) cuttings_.back().piece = std::make_shared<const Piece>(piece);
+            cut_.cuttings.push_back({static_cast<std::uint32_t>(texelOfCell(column, row, grid_.columns, grid_.rows)),
+                                     number, nullptr, centroid(piece), share(piece) * wholeArea});
+            if (pieces.size() > 1) cut_.cuttings.back().piece = std::make_shared<const Piece>(piece);
             isNearSlice_.push_back(!near.empty());
             isAtEdge_.push_back(edgesOf(piece));
           }
@@ -271,21 +247,21 @@ class SurfaceCutter {
   /// Joins the cuttings in the same texel and in adjacent texels that are on the same or on neighbouring triangles, far
   /// from all slices.
   void joinTexels() {
-    parent_.resize(cuttings_.size());
+    parent_.resize(cut_.cuttings.size());
     std::iota(parent_.begin(), parent_.end(), 0U);
     std::vector<std::vector<std::uint32_t>> inTexel(static_cast<std::size_t>(grid_.columns) *
                                                     static_cast<std::size_t>(grid_.rows));
-    for (std::uint32_t i = 0; i < cuttings_.size(); ++i)
-      if (!isNearSlice_[i]) inTexel[cuttings_[i].texel].push_back(i);
+    for (std::uint32_t i = 0; i < cut_.cuttings.size(); ++i)
+      if (!isNearSlice_[i]) inTexel[cut_.cuttings[i].texel].push_back(i);
     const auto across = neighbours(surface_);
     const auto isAt = [&](std::uint32_t cutting, std::uint32_t neighbour) {
-      const auto& beside = across[cuttings_[cutting].triangle];
+      const auto& beside = across[cut_.cuttings[cutting].triangle];
       for (std::size_t k = 0; k < 3; ++k)
         if (beside[k] == neighbour && isAtEdge_[cutting][k]) return true;
       return false;
     };
     const auto areBeside = [&](std::uint32_t a, std::uint32_t b) {
-      const std::uint32_t t = cuttings_[a].triangle, other = cuttings_[b].triangle;
+      const std::uint32_t t = cut_.cuttings[a].triangle, other = cut_.cuttings[b].triangle;
       return t == other || (isAt(a, other) && isAt(b, t) &&
                             glm::dot(normal(surface_.triangles[t]), normal(surface_.triangles[other])) >= minCosine);
     };
@@ -303,12 +279,10 @@ class SurfaceCutter {
   const GridSize& grid_;
   std::span<const std::vector<Slice>> slices_;  ///< one entry per triangle
   double tolerance_;
-  std::vector<Cutting> cuttings_;              ///< by triangle
+  CutSurface cut_;
   std::vector<std::array<bool, 3>> isAtEdge_;  ///< of each cutting, by the opposite corner of the triangle
   std::vector<bool> isNearSlice_;              ///< of each cutting: whether a slice meets its bounds
   std::vector<std::uint32_t> parent_;          ///< of each cutting, in the union-find forest of all cuttings
-  std::vector<std::vector<std::uint32_t>> regions_;
-  std::vector<std::uint32_t> first_;  ///< first cutting of each triangle; one more at the end
 };
 
 }  // namespace

@@ -3,14 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "radiosity/geometry/box_tree.h"
+
 namespace hemitex::radiosity {
 namespace {
-
-bool mayMeet(const std::array<glm::dvec2, 3>& corners, const glm::dvec2& low, const glm::dvec2& high) {
-  const glm::dvec2 least = glm::min(glm::min(corners[0], corners[1]), corners[2]);
-  const glm::dvec2 most = glm::max(glm::max(corners[0], corners[1]), corners[2]);
-  return least.x < high.x && least.y < high.y && most.x > low.x && most.y > low.y;
-}
 
 /// Visits the exposed parts of a piece of a triangle inside a cell.
 void visitCell(std::uint32_t triangle, std::size_t texel, const Piece& piece, const TexelGrid& grid,
@@ -69,9 +65,9 @@ void forEachExposedPiece(const Surface& surface, const TexelGrid& grid, const gl
     if (inside.size > 0) visit(texel, triangle, inside);
   };
   for (std::uint32_t t = 0; t < surface.triangles.size(); ++t) {
-    const std::array<glm::dvec2, 3> corners = inTexels(surface.triangles[t], grid.columns, grid.rows);
-    if (!mayMeet(corners, low, high)) continue;
-    const Piece piece = clippedTo(wholeTriangle(corners), low, high);
+    const auto [a, b, c] = inTexels(surface.triangles[t], grid.columns, grid.rows);
+    if (!meet({glm::min(glm::min(a, b), c), glm::max(glm::max(a, b), c)}, {low, high})) continue;
+    const Piece piece = clippedTo(wholeTriangle({a, b, c}), low, high);
     if (piece.size == 0) continue;
     if (!isCut) {
       visit(texelAt(low), t, piece);

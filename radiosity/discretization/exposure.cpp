@@ -1,13 +1,9 @@
 #include "radiosity/discretization/exposure.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <map>
-#include <memory>
-#include <numeric>
 #include <optional>
 #include <span>
 #include <utility>
@@ -119,20 +115,20 @@ class BuriedRegions {
 
   Exposure exposureOf(std::uint32_t surface) const {
     if (!cut_[surface]) return {.isBuried = isInside_[surface] != 0};
-    std::map<std::uint32_t, std::vector<Cutting>> exposedIn;
-    bool hasExposed = false;
+    Exposure exposure{.isBuried = true};
+    std::map<std::uint32_t, std::vector<TexelPiece>> exposedIn;  // those of texels with buried pieces
     const std::vector<Cutting>& cuttings = cut_[surface]->cuttings;
+    const auto isBuried = [&](std::size_t c) { return regions_[regionOf_[surface][c]].isBuried; };
     for (std::size_t c = 0; c < cuttings.size(); ++c)
-      if (regions_[regionOf_[surface][c]].isBuried) exposedIn[cuttings[c].texel];
+      if (isBuried(c)) exposedIn[cuttings[c].texel];
     for (std::size_t c = 0; c < cuttings.size(); ++c) {
-      if (regions_[regionOf_[surface][c]].isBuried) continue;
-      hasExposed = true;
+      if (isBuried(c)) continue;
+      exposure.isBuried = false;
       if (const auto found = exposedIn.find(cuttings[c].texel); found != exposedIn.end())
-        found->second.push_back(cuttings[c]);
+        found->second.push_back(pieceOf(surface, cuttings[c]));
     }
-    Exposure exposure{.isBuried = !hasExposed};
-    if (hasExposed)
-      for (auto& [texel, some] : exposedIn) exposure.cutTexels.push_back({texel, piecesOf(surface, texel, some)});
+    if (!exposure.isBuried)
+      for (auto& [texel, pieces] : exposedIn) exposure.cutTexels.push_back({texel, std::move(pieces)});
     return exposure;
   }
 
@@ -161,22 +157,22 @@ class BuriedRegions {
   void findInside() {
     raster::parallelFor(scene_.surfaces.size(), [&](std::size_t s) {
       const Surface& surface = scene_.surfaces[s];
-      if (cut_[s] || surface.twin) return;
-      const SurfacePoint middle = pointOn(surface, 0, glm::dvec2(1.0 / 3));
-      isInside_[s] = isInsideSolid(scene_, rays_, eyeOver(scene_, static_cast<std::uint32_t>(s), middle)) ? 1 : 0;
+      if (!cut_[s] && !surface.twin) isInside_[s] = isInside(s, pointOn(surface, 0, glm::dvec2(1.0 / 3))) ? 1 : 0;
     });
+  }
+
+  bool isInside(std::size_t surface, const SurfacePoint& point) const {
+    return isInsideSolid(scene_, rays_, eyeOver(scene_, static_cast<std::uint32_t>(surface), point));
   }
 
   /// The sum of the views from some points of a region. Nothing if a point sees no back, or if the region emits and
   /// sees any front; then the region is exposed. The view from inside a solid shows backs alone.
   std::optional<Seen> seenFrom(const Region& region) const {
     const std::vector<std::uint32_t> points = somePoints(region);
-    const auto isInside = [&](std::uint32_t number) {
-      const SurfacePoint middle = middleOf(region.surface, cut_[region.surface]->cuttings[number]);
-      return isInsideSolid(scene_, rays_, eyeOver(scene_, region.surface, middle));
-    };
-    if (2 * std::count_if(points.begin(), points.end(), isInside) > static_cast<std::ptrdiff_t>(points.size()))
-      return Seen{.backs = 1, .points = 1};
+    const auto inside = std::count_if(points.begin(), points.end(), [&](std::uint32_t number) {
+      return isInside(region.surface, middleOf(region.surface, cut_[region.surface]->cuttings[number]));
+    });
+    if (2 * inside > static_cast<std::ptrdiff_t>(points.size())) return Seen{.backs = 1, .points = 1};
     Seen all;
     for (const std::uint32_t number : points) {
       const Cutting& cutting = cut_[region.surface]->cuttings[number];
@@ -188,7 +184,7 @@ class BuriedRegions {
       for (const auto& [other, share] : seen.regions) all.regions[other] += share;
       ++all.points;
     }
-    if (emits(region.surface) && seesFronts(all)) return std::nullopt;
+    if (emits(scene_, region.surface) && seesFronts(all)) return std::nullopt;
     return all;
   }
 
@@ -207,7 +203,7 @@ class BuriedRegions {
     const glm::dmat3 axes = viewAxes(scene_.surfaces[surface].triangles[cutting.triangle]);
     Seen seen = look(eye, axes, fewDirections_);
     if (seen.backs < 1 - rounding) seen = look(eye, axes, directions_);
-    if (emits(surface) && !seesFronts(seen)) seen = look(eye, axes, manyDirections_);
+    if (emits(scene_, surface) && !seesFronts(seen)) seen = look(eye, axes, manyDirections_);
     // What stands on a back gets no light from beyond it.
     if (isTouching)
       seen.backs += 1;
@@ -261,13 +257,9 @@ class BuriedRegions {
     return regionOf_[hit.surface][cutting];
   }
 
-  bool emits(std::uint32_t surface) const {
-    return scene_.materials[static_cast<std::size_t>(scene_.surfaces[surface].material)].emission != glm::dvec3(0);
-  }
-
   void addExposed(std::uint32_t surface, double share, Seen& seen) const {
     seen.exposedFronts += share;
-    if (emits(surface)) seen.lights += share;
+    if (emits(scene_, surface)) seen.lights += share;
   }
 
   /// Marks regions that see enough exposed fronts as exposed, until nothing changes.
@@ -290,18 +282,12 @@ class BuriedRegions {
     }
   }
 
-  /// The exposed pieces of a texel, by triangle.
-  std::vector<TexelPiece> piecesOf(std::uint32_t surface, std::uint32_t texel,
-                                   const std::vector<Cutting>& cuttings) const {
+  TexelPiece pieceOf(std::uint32_t surface, const Cutting& cutting) const {
+    if (cutting.piece) return {cutting.triangle, *cutting.piece};
     const GridSize& grid = sizes_[surface];
     const auto columns = static_cast<std::uint32_t>(grid.columns);
-    std::vector<TexelPiece> pieces;
-    for (const Cutting& cutting : cuttings) {
-      const auto corners = inTexels(scene_.surfaces[surface].triangles[cutting.triangle], grid.columns, grid.rows);
-      pieces.push_back({cutting.triangle,
-                        cutting.piece ? *cutting.piece : clippedToCell(corners, texel % columns, texel / columns)});
-    }
-    return pieces;
+    const auto corners = inTexels(scene_.surfaces[surface].triangles[cutting.triangle], grid.columns, grid.rows);
+    return {cutting.triangle, clippedToCell(corners, cutting.texel % columns, cutting.texel / columns)};
   }
 
   const Scene& scene_;

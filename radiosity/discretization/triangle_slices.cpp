@@ -65,11 +65,6 @@ class WeightedTriangle {
     return std::abs(glm::dot(middle - other.position[0], otherNormal)) <= 2 * lift_ * glm::length(otherNormal);
   }
 
-  double lengthOf(const Slice& slice) const {
-    const glm::dvec2 step = slice.to - slice.from;
-    return glm::length(step.x * along1_ + step.y * along2_);
-  }
-
   /// The part of a slice inside the triangle with edges moved outwards by `margin`, a length; nothing if it is shorter
   /// than the tolerance.
   std::optional<Slice> clipped(const Slice& slice, double margin) const {
@@ -82,9 +77,8 @@ class WeightedTriangle {
       if (b < 0) last = std::min(last, a / (a - b));
     }
     const glm::dvec2 step = slice.to - slice.from;
-    const Slice part{slice.from + first * step, slice.from + last * step};
-    if (first >= last || lengthOf(part) <= tolerance_) return std::nullopt;
-    return part;
+    if ((last - first) * glm::length(step.x * along1_ + step.y * along2_) <= tolerance_) return std::nullopt;
+    return Slice{slice.from + first * step, slice.from + last * step};
   }
 
   /// The corner opposite to the edge that a slice lies along, if it does.
@@ -242,27 +236,24 @@ SceneSlices triangleSlices(const Scene& scene, const RayTree& tree) {
   std::vector<std::size_t> first;
   std::size_t count = 0;
   for (const Surface& surface : scene.surfaces) first.push_back(std::exchange(count, count + surface.triangles.size()));
-  std::vector<std::vector<Slice>> inner(count);
-  raster::parallelFor(scene.surfaces.size(), [&](std::size_t s) {
-    const Surface& surface = scene.surfaces[s];
+  const auto foundOf = [&](std::size_t s) {
+    return std::span(found).subspan(first[s], scene.surfaces[s].triangles.size());
+  };
+  raster::parallelFor(first.size(), [&](std::size_t s) {
+    const std::span<Slicer::Found> own = foundOf(s);
     // A single triangle has no inner edge.
-    if (surface.triangles.size() == 1) return;
-    const auto own = std::span(found).subspan(first[s], surface.triangles.size());
-    if (std::all_of(own.begin(), own.end(), [](const Slicer::Found& of) { return of.along.empty(); })) return;
-    const auto ofTriangle = neighbours(surface);
-    for (std::uint32_t t = 0; t < own.size(); ++t)
-      inner[first[s] + t] = slicer.alongInnerEdges(surface.triangles[t], ofTriangle[t], first[s], own[t].along);
+    if (own.size() == 1 || std::all_of(own.begin(), own.end(), [](const auto& of) { return of.along.empty(); })) return;
+    const auto beside = neighbours(scene.surfaces[s]);
+    for (std::uint32_t t = 0; t < own.size(); ++t) {
+      const auto inner = slicer.alongInnerEdges(scene.surfaces[s].triangles[t], beside[t], first[s], own[t].along);
+      own[t].inside.insert(own[t].inside.end(), inner.begin(), inner.end());
+    }
   });
   SceneSlices slices;
   for (std::size_t s = 0; s < first.size(); ++s) {
-    const auto own = std::span(found).subspan(first[s], scene.surfaces[s].triangles.size());
-    slices.isTouching.push_back(
-        std::any_of(own.begin(), own.end(), [](const Slicer::Found& of) { return of.isTouching; }));
-  }
-  slices.ofTriangle.resize(count);
-  for (std::size_t t = 0; t < count; ++t) {
-    slices.ofTriangle[t] = std::move(found[t].inside);
-    slices.ofTriangle[t].insert(slices.ofTriangle[t].end(), inner[t].begin(), inner[t].end());
+    const auto own = foundOf(s);
+    slices.isTouching.push_back(std::any_of(own.begin(), own.end(), [](const auto& of) { return of.isTouching; }));
+    for (Slicer::Found& of : own) slices.ofTriangle.push_back(std::move(of.inside));
   }
   return slices;
 }

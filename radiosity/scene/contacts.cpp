@@ -338,11 +338,11 @@ std::vector<std::string> emptyRoomWarnings(const Scene& scene, const SceneTriang
   std::size_t rooms = 0;
   for (std::size_t room = 0; room < ofShells.size() && warnings.size() < maxWarnings && rooms < maxRooms; ++room) {
     if (shells.kinds[room] != ShellKind::Room || !shells.isClosed[room]) continue;
-    const auto emits = [&](std::uint32_t t) {
-      const Surface& surface = scene.surfaces[triangles.surfaces[t]];
-      return surface.twin || scene.materials[static_cast<std::size_t>(surface.material)].emission != glm::dvec3(0);
+    const auto isLit = [&](std::uint32_t t) {
+      const std::uint32_t surface = triangles.surfaces[t];
+      return scene.surfaces[surface].twin || emits(scene, surface);
     };
-    if (std::any_of(ofShells[room].begin(), ofShells[room].end(), emits)) continue;
+    if (std::any_of(ofShells[room].begin(), ofShells[room].end(), isLit)) continue;
     ++rooms;
     bool isEmpty = true;
     for (std::size_t other = 0; other < ofShells.size() && isEmpty; ++other)

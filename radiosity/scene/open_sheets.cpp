@@ -46,10 +46,6 @@ std::vector<glm::dvec3> cosineDirections(int side) {
   return directions;
 }
 
-bool emits(const Scene& scene, std::uint32_t surface) {
-  return scene.materials[static_cast<std::size_t>(scene.surfaces[surface].material)].emission != glm::dvec3(0);
-}
-
 /// The surfaces with visible backs that belong to components with a border, except emitters and closed shells, whose
 /// borders come from contacts.
 std::vector<std::uint32_t> openSurfaces(const Scene& scene) {
@@ -94,7 +90,7 @@ class BackWalks {
     WalkCounts walks;
     for (std::size_t i = 0; i < points; ++i) {
       const Triangle& triangle = triangles[i * count / points];
-      const glm::dvec3 middle = (triangle.position[0] + triangle.position[1] + triangle.position[2]) / 3.0;
+      const glm::dvec3 middle = middleOf(triangle);
       std::size_t backs = 0;
       for (std::size_t d = 0; d < first_.size(); ++d) {
         if (d == fewDirections && walks.lit == 0 && backs >= mostOfFew) return walks;

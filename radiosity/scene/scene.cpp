@@ -147,6 +147,10 @@ bool hasBacks(const Scene& scene) {
   });
 }
 
+bool emits(const Scene& scene, std::size_t surface) {
+  return scene.materials[static_cast<std::size_t>(scene.surfaces[surface].material)].emission != glm::dvec3(0);
+}
+
 glm::dvec3 normal(const Triangle& triangle) {
   const glm::dvec3 direction = doubledArea(triangle);
   return direction / glm::length(direction);

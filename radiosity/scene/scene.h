@@ -166,6 +166,9 @@ void makeTwins(std::vector<Surface>& surfaces, std::size_t one, std::size_t othe
 bool hasBacked(const Surface& surface);
 bool hasBacks(const Scene& scene);
 
+/// Whether the material of a surface emits light in any band.
+bool emits(const Scene& scene, std::size_t surface);
+
 /// The number of triangles of all surfaces. Triangles are numbered through the scene, surface by surface.
 std::size_t triangleCount(const Scene& scene);
 
