@@ -414,6 +414,7 @@ Scene resolved(Scene scene, const Contacts& contacts) {
     scene.surfaces[s].triangles = std::move(left);
   }
   for (std::string& warning : coverWarnings(covered)) scene.warnings.push_back(std::move(warning));
+  scene.coverings.assign(covered.begin(), covered.end());
   return scene;
 }
 

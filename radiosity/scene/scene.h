@@ -13,6 +13,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "radiosity/base/bands.h"
@@ -122,6 +123,7 @@ struct Scene {
   std::optional<SceneCamera> camera = {};  ///< OBJ files have none
   /// The parts of closed shells that other faces cover, which no surface has.
   std::vector<Triangle> covered = {};
+  std::vector<std::pair<std::string, std::string>> coverings = {};  ///< families: one that is covered, and by which
   std::vector<double> shellVolumes = {};  ///< of each closed shell, from 1 on: of solids positive, of rooms negative
   /// Those of the file, some without surfaces; then the backs of two-sided ones, named `/back`, with the same parents.
   std::vector<SceneObject> objects = {};

@@ -103,7 +103,9 @@ class Editor {
   }
 
   void apply(const Move& edit) {
-    for (const std::uint32_t s : withTwins(scene_.surfaces, named(edit.name))) {
+    const std::vector<std::uint32_t> moved = withTwins(scene_.surfaces, named(edit.name));
+    requireWhole(moved);
+    for (const std::uint32_t s : moved) {
       move(scene_, scene_.surfaces[s], edit.by);
       origins_[s].isMoved = true;
     }
@@ -112,7 +114,9 @@ class Editor {
 
   void apply(const Remove& edit) {
     std::vector<bool> goes(scene_.surfaces.size());
-    for (const std::uint32_t s : withTwins(scene_.surfaces, named(edit.name))) goes[s] = true;
+    const std::vector<std::uint32_t> removed = withTwins(scene_.surfaces, named(edit.name));
+    requireWhole(removed);
+    for (const std::uint32_t s : removed) goes[s] = true;
     take(scene_.surfaces, goes, removed_);
     std::vector<Origin> origins;
     for (std::size_t s = 0; s < goes.size(); ++s)
@@ -189,6 +193,17 @@ class Editor {
  private:
   std::vector<std::uint32_t> named(const std::string& name) const {
     return findOrFail(scene_.surfaces, name, "of the scene");
+  }
+
+  /// Throws InputError if one of two surfaces leaves the other: what it covered has no elements.
+  void requireWhole(const std::vector<std::uint32_t>& leaving) const {
+    std::set<std::string> families;
+    for (const std::uint32_t s : leaving) families.insert(scene_.surfaces[s].family);
+    for (const auto& [covered, by] : scene_.coverings)
+      if (families.contains(by) != families.contains(covered))
+        throw InputError("`" + raster::excerpt(by) + "` covers a part of `" + raster::excerpt(covered) +
+                             "`, which would be a hole if an edit parts them",
+                         "move them a little apart in the file, or move both by one edit");
   }
 
   template <typename Predicate>

@@ -7,6 +7,7 @@
 
 #include "radiosity/discretization/discretize.h"
 #include "radiosity/discretization/edited_discretization.h"
+#include "radiosity/scene/contacts.h"
 #include "raster/base/input_error.h"
 #include "tests/support/hand_scenes.h"
 #include "tests/support/temporary_folder.h"
@@ -238,4 +239,17 @@ TEST_CASE("carried keeps elements, patches and rotations of kept surfaces, and d
         CHECK(carriedOver.patches.ofElement[element] == grid.firstPatch + p);
     }
   }
+}
+
+TEST_CASE("edited parts no surface from what it covers a part of", "[scene_edits]") {
+  Scene scene = squares();
+  const Surface wall = scene.surfaces[0];
+  scene.surfaces[1] = tests::parallelogram("poster", {0.25, 0.25, 0}, {0.5, 0, 0}, {0, 0.5, 0});
+  const Contacts contacts = findContacts(scene);
+  scene = resolved(std::move(scene), contacts);
+  REQUIRE(area(scene.surfaces[0]) == Approx(area(wall) - 0.25));
+  for (const Edit& edit : {Edit{Move{"poster", {0, 0, 1}}}, Edit{Move{"square0", {0, 0, 1}}}, Edit{Remove{"poster"}}})
+    CHECK_THROWS_WITH(edited(scene, {}, std::vector{edit}),
+                      Catch::Contains("`poster` covers a part of `square0`, which would be a hole"));
+  CHECK_NOTHROW(edited(scene, {}, std::vector<Edit>{Move{"*", {0, 0, 1}}, Remove{"square3"}}));
 }
