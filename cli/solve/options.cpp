@@ -54,8 +54,8 @@ void addSolverOptions(Command command, SolveOptions& options) {
   command = command.under("Accuracy and memory");
   const Option residual =
       addPositive(command, "--residual", options.residual, std::numeric_limits<double>::infinity(),
-                  "stop when the unshot flux is at most this share of the emitted flux (default 0.001; 0.00001 with "
-                  "light from outside)");
+                  "stop when the unshot flux is at most this share of the emitted flux (default 0.001, or 0.00001 with "
+                  "light from outside, and less until what the camera sees is lit)");
   addInteger(command, "--shots", settings.shots, 0, std::numeric_limits<int>::max(),
              "stop after N shots, or at the default residual (default: see --residual)")
       .excludes(residual);
@@ -254,6 +254,10 @@ void completeOptions(Command command, SolveOptions& options) {
 bool usesRays(const SolveOptions& options) { return options.method == "rays"; }
 
 bool boundsRows(const SolveOptions& options) { return options.scene.settings.facets && options.maxError; }
+
+bool followsCamera(const SolveOptions& options) {
+  return options.maxError ? !boundsRows(options) : !options.residual && !options.solver.shots;
+}
 
 bool usesDrawnRows(const SolveOptions& options) {
   return !usesRays(options) && !boundsRows(options) && options.matrix.empty();

@@ -63,6 +63,8 @@ bool usesRays(const SolveOptions& options);
 bool usesDrawnRows(const SolveOptions& options);
 /// Whether --max-error bounds the rows of facets.
 bool boundsRows(const SolveOptions& options);
+/// Whether the light of what the camera sees decides when the solution ends: unless its end is given.
+bool followsCamera(const SolveOptions& options);
 /// Whether scene.vtu shows the facets.
 bool writesFacets(const SolveOptions& options);
 

@@ -26,12 +26,11 @@ radiosity::LightSettings lightSettings(const SolveOptions& options, const radios
                                     .adaptive = options.adaptive,
                                     .elements = options.discretization,
                                     .isContinued = options.isContinued};
-  if (boundsRows(options)) {
+  if (boundsRows(options))
     settings.solver.residual = radiosity::residualFor(*options.maxError);
-  } else if (options.maxError) {
+  else
     settings.maxError = options.maxError;
-    settings.seen = seenIn(options.camera, scene, camera);
-  }
+  if (followsCamera(options)) settings.seen = seenIn(options.camera, scene, camera);
   return settings;
 }
 

@@ -115,12 +115,12 @@ std::set<std::filesystem::path> inputFiles(const SolveOptions& options, const Co
   return files;
 }
 
-/// What a checkpoint belongs to, beside the scene: equal for equal settings and edits. With --max-error the effort also
-/// follows what the camera sees.
+/// What a checkpoint belongs to, beside the scene: equal for equal settings and edits. The camera is part of it if the
+/// effort follows what it sees.
 std::string textOfRun(const SolveOptions& options, const radiosity::Scene& scene, const radiosity::Camera& camera,
                       const std::vector<Frame>& frames) {
   std::string text = toText(solutionSettings(options));
-  if (options.maxError && !boundsRows(options))
+  if (followsCamera(options))
     text += toText(ordered_json{cli::toJson(camera), options.camera.width, options.camera.height});
   std::set<std::filesystem::path> added;
   for (const Frame& frame : frames) {

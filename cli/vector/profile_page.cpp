@@ -54,7 +54,7 @@ struct Bar {
 };
 
 std::string bars(const std::vector<Bar>& all) {
-  constexpr int rowHeight = 18, left = 220, width = 360;
+  constexpr int rowHeight = 18, left = 280, width = 360;
   std::string content;
   for (std::size_t k = 0; k < all.size(); ++k) {
     const Bar& bar = all[k];

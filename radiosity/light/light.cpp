@@ -65,6 +65,12 @@ class Solutions {
   /// Other ranks compute drawn rows alone.
   bool sharesRows() const { return hooks_.ranks && !hooks_.rows; }
 
+  SeenLight seenLight(SceneFormFactors& drawn) const {
+    const LightSettings& settings = result_.settings;
+    if (!settings.maxError) return {settings.seen};
+    return {settings.seen, drawn.scoutRows(), settings.solver.residual};
+  }
+
   void solveWith(SceneFormFactors& drawn) {
     const LightSettings& settings = result_.settings;
     const SolutionStart start = hooks_.start ? hooks_.start(settings.solver) : SolutionStart();
@@ -88,7 +94,7 @@ class Solutions {
                      .split = rows.split,
                      .settings = settings.solver,
                      .outside = drawn.outsideFlux(),
-                     .seen = {settings.seen, drawn.scoutRows()},
+                     .seen = seenLight(drawn),
                      .snapshot = start.snapshot ? &*start.snapshot : nullptr,
                      .isContinued = settings.isContinued};
     result_.solution =

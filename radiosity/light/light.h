@@ -23,7 +23,7 @@ struct LightSettings {
   /// Above 0. Solves with growing effort until both expected errors are within it (error_control.h): chooses the
   /// resolution and the splits of `drawing`, and the residual of `solver`.
   std::optional<double> maxError = {};
-  std::vector<bool> seen = {};  ///< with maxError: whether surfaces are seen; see SeenLight
+  std::vector<bool> seen = {};  ///< whether surfaces are seen, whose light decides with all light; see SeenLight
   /// Above 0. Splits elements where radiosity changes by more than this share (adaptive_subdivision.h).
   std::optional<double> adaptive = {};
   DiscretizationSettings elements = {};  ///< of adaptive elements, and of those that edits add

@@ -98,18 +98,26 @@ double unitFluxOf(const ShotLight& light) {
   return (light.lastEmitted - (1 - outsideShare) * bandSum(sumOf(light.outside))) / unitsOfFlux;
 }
 
+/// Of the residual of the settings: at this share a solution ends whatever is seen, because no light may reach it.
+constexpr double smallestResidual = 0.001;
+
 /// Shoots until a limit of the settings is reached, after the shots and splits of `past`. Adds what backs absorb of
 /// each patch.
 Solution shoot(const SolveInput& input, ShootingState& state, RowCache& rows, BandTable& absorbedByBacks,
                const Progress& progress, const Snapshot& past = {}) {
   const SolverSettings& settings = input.settings;
-  state.setSeen(input.seen.surfaces);
+  const SeenLight& seen = input.seen;
+  bool countsSeen = seen.scoutRow != nullptr;
+  if (countsSeen) state.setSeen(seen.surfaces);
   Solution solution;
   solution.shots = past.shots;
   solution.residual = state.residual();
   const auto isDone = [&] {
-    return (settings.shots && solution.shots >= *settings.shots) ||
-           (solution.residual <= settings.residual && state.seenResidual() <= settings.residual);
+    if (settings.shots && solution.shots >= *settings.shots) return true;
+    if (solution.residual > settings.residual) return false;
+    // Counting costs time: without scout rows it begins here.
+    if (!std::exchange(countsSeen, true)) state.setSeen(seen.surfaces);
+    return state.seenResidual() <= seen.residual || solution.residual <= smallestResidual * settings.residual;
   };
   std::vector<SplitCall> splits = past.splits;
   const auto snapshot = [&] { return Snapshot{solution.shots, splits, absorbedByBacks, state.saved()}; };
@@ -117,8 +125,8 @@ Solution shoot(const SolveInput& input, ShootingState& state, RowCache& rows, Ba
   const auto weightOf = [&](std::uint32_t number) {
     const Patch& patch = state.patches().list[number];
     const double ofAll = sizeSum(state.unshot(number)) / unitFlux;
-    if (input.seen.surfaces.empty() || !input.seen.scoutRow || patch.isSettled) return ofAll;
-    const double ofSeen = unitsOfFlux * state.seenGain(number, input.seen.scoutRow(patch));
+    if (seen.surfaces.empty() || !seen.scoutRow || patch.isSettled) return ofAll;
+    const double ofSeen = unitsOfFlux * state.seenGain(number, seen.scoutRow(patch));
     return std::max(ofAll, ofSeen);
   };
   const auto likelyShots = [&](std::size_t count) {

@@ -20,7 +20,7 @@ namespace hemitex::radiosity {
 
 struct SolverSettings {
   double residual = 0.001;        ///< stops when unshot over emitted flux, bands summed, is at most this; >= 0.
-                                  ///< If surfaces are seen, also ShootingState::seenResidual
+                                  ///< If surfaces are seen, see also SeenLight::residual
   std::optional<int> shots = {};  ///< maximum number of shots; >= 0
   std::size_t rowCacheBytes = std::size_t{1024}
                               << 20;  ///< memory of the cache of rows, for later shots of the same patch
@@ -35,12 +35,14 @@ inline constexpr double outsideShare = 0.01;
 /// The residual for a scene: that of SolverSettings, times outsideShare if light comes from outside.
 double defaultResidual(const Scene& scene);
 
-/// The light of seen surfaces (see seenSurfaces). The solution takes as much care of it as of all light: patches are
-/// split and drawn by what their flux adds to it, even if they are faint among all patches, and little of it stays
-/// unshot.
+/// The light of seen surfaces (see seenSurfaces). The solution takes as much care of it as of all light: little of it
+/// stays unshot. With scout rows, patches are split and drawn by what their flux adds to it, even if they are faint
+/// among all patches.
 struct SeenLight {
   std::vector<bool> surfaces = {};  ///< whether they are seen, one per surface; empty if none is
   RowSource scoutRow = {};          ///< see SceneFormFactors::scoutRows
+  double residual = 0.02;           ///< the solution goes on while ShootingState::seenResidual is above this, but not
+                                    ///< below a thousandth of the residual of the settings
 };
 
 /// All that a solution is computed from. What it refers to must not change during the solution.

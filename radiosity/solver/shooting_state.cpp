@@ -303,10 +303,12 @@ void ShootingState::setSeen(std::vector<bool> surfaces) {
 }
 
 double ShootingState::seenResidual() const {
+  if (std::find(seen_.begin(), seen_.end(), true) == seen_.end()) return 0;
+  if (seenUnits_ == 0) return std::numeric_limits<double>::infinity();
   double unshot = 0;
-  for (std::size_t p = 0; p < patches_.list.size() && !seen_.empty(); ++p)
+  for (std::size_t p = 0; p < patches_.list.size(); ++p)
     if (seen_[patches_.list[p].surface]) unshot += sizeSum(unshot_.flux()[p]);
-  return unshot > 0 ? unshot / (static_cast<double>(seenUnits_) / unitsPerFlux_) : 0;
+  return unshot / (static_cast<double>(seenUnits_) / unitsPerFlux_);
 }
 
 double ShootingState::seenGain(std::uint32_t patch, const FormFactorRow& row) const {

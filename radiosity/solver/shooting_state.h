@@ -106,7 +106,7 @@ class ShootingState {
   /// Chooses the surfaces that seenResidual and seenGain are about: one value per surface, or none.
   void setSeen(std::vector<bool> surfaces);
   /// As residual, of the seen surfaces alone: the absolute unshot flux of their patches over the flux that they have
-  /// absorbed. 0 if none is seen.
+  /// absorbed. 0 if none is seen, infinite if they have absorbed nothing.
   double seenResidual() const;
   /// The share of the flux absorbed by seen surfaces that the patch would add directly if it shot along `row`; bands
   /// summed. Visits the elements of the row.

@@ -15,6 +15,7 @@
 #include "raster/software/software_renderer.h"
 #include "reference/truth/closed_forms/point_to_polygon.h"
 #include "tests/support/box_scene.h"
+#include "tests/support/hand_scenes.h"
 
 using namespace hemitex;
 using namespace hemitex::radiosity;
@@ -190,6 +191,46 @@ TEST_CASE("solve lists likely shots whose rows are not in the cache", "[solver]"
         look);
   CHECK(shot.size() > 4);
   for (std::size_t i = 1; i < shot.size(); ++i) CHECK(std::count(foremost.begin(), foremost.end(), shot[i]) > 0);
+}
+
+TEST_CASE("solve goes on until light has come to what is seen", "[solver]") {
+  // Each square sees its neighbours in a row: a fiftieth of the light goes one step, and a lamp lights the first.
+  constexpr std::uint32_t count = 4;
+  std::vector<Surface> squares;
+  for (std::uint32_t s = 0; s < count; ++s)
+    squares.push_back(tests::parallelogram("square" + std::to_string(s), {2.0 * s, 0, 0}, {1, 0, 0}, {0, 1, 0}));
+  Scene scene = tests::sceneOf(std::move(squares));
+  scene.materials.resize(2);
+  scene.materials[0].reflectance = glm::dvec3(0.5);
+  scene.materials[1].emission = glm::dvec3(1);
+  scene.surfaces[0].material = 1;
+  const Discretization discretization = discretize(scene, {.texels = 1});
+  const auto rowOf = [](const Patch& patch) {
+    FormFactorRow row;
+    row.background = wholeShare;
+    for (std::uint32_t other = 0; other < count; ++other)
+      if (other + 1 == patch.surface || other == patch.surface + 1) {
+        row.elements.push_back(other);
+        row.shares.push_back(wholeShare / 50);
+        row.background -= row.shares.back();
+      }
+    return row;
+  };
+  const auto lastOf = [&](double residual, const SeenLight& seen) {
+    return solve({.scene = scene,
+                  .discretization = discretization,
+                  .patches = discretization.patches,
+                  .rowOf = rowOf,
+                  .settings = {.residual = residual},
+                  .seen = seen})
+        .radiosity.back()
+        .x;
+  };
+  const double right = lastOf(0, {});
+  CHECK(right == Approx(std::pow(0.01, count - 1)).epsilon(0.01));  // light that returns adds little
+  CHECK(lastOf(0.001, {}) == 0);
+  CHECK(lastOf(0.001, {{false, false, false, true}}) == Approx(right).epsilon(0.02));
+  CHECK(lastOf(0.001, {{false, false, false, false}}) == 0);
 }
 
 TEST_CASE("solve gives the same bits for any number of threads and any row cache", "[solver]") {
