@@ -95,7 +95,8 @@ constexpr double unitsOfFlux = 256;
 
 /// The flux of a patch of weight 1, of which light from outside counts as outsideShare.
 double unitFluxOf(const ShotLight& light) {
-  return (light.lastEmitted - (1 - outsideShare) * bandSum(sumOf(light.outside))) / unitsOfFlux;
+  const double fromOutside = bandSum(sumOf(light.outside)) - bandSum(light.outside.fromLamps);
+  return (light.lastEmitted - (1 - outsideShare) * fromOutside) / unitsOfFlux;
 }
 
 /// Shoots until a limit of the settings is reached, after the shots and splits of `past`. Adds what backs absorb of
