@@ -195,12 +195,11 @@ void printRows(const FormFactorOptions& options, Context& context, const radiosi
       surroundings.push_back(*outside.surroundings);
       backs.push_back(*outside.backs);
     }
-    context.console.message("from " + from.name + ": " +
-                            (outside.backs
-                                 ? "the share of the light that leaves the scene is " +
-                                       roundedText(*outside.surroundings) +
-                                       "; the share that meets backs of faces is " + roundedText(*outside.backs)
-                                 : blockersIgnored));
+    context.console.message(
+        "from " + from.name + ": " +
+        (outside.backs ? "the share of the light that leaves the scene is " + roundedText(*outside.surroundings) +
+                             "; the share that meets backs of faces is " + roundedText(*outside.backs)
+                       : blockersIgnored));
   }
   warnOfBacks(backs, names, context.console);
   const Table table = tableOf(rows, scene, discretization, families, receivers);

@@ -34,10 +34,10 @@ struct MaterialOptions {
 
 void addMaterialOptions(Command command, MaterialOptions& options);
 
-/// The scene with the changes, and with the lights that are added to those of the file. Later changes override earlier ones.
-/// A reflectance of 1 or more is lowered to `settings.maxReflectance` with a warning, as Kd is. Lamps are `lamp-1`,
-/// `lamp-2`, ... behind those of the file. Throws InputError with similar names for a name of no surface, group,
-/// material or lamp, and for light above 1e30 W/m^2 or W/sr.
+/// The scene with the changes, and with the lights that are added to those of the file. Later changes override earlier
+/// ones. A reflectance of 1 or more is lowered to `settings.maxReflectance` with a warning, as Kd is. Lamps are
+/// `lamp-1`, `lamp-2`, ... behind those of the file. Throws InputError with similar names for a name of no surface,
+/// group, material or lamp, and for light above 1e30 W/m^2 or W/sr.
 radiosity::Scene withMaterials(radiosity::Scene scene, const MaterialOptions& options,
                                const radiosity::SceneSettings& settings);
 

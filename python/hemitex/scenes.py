@@ -194,9 +194,9 @@ def load_scene(file: str | os.PathLike[str],
                repeats: int | None = None) -> Scene:
     """Reads OBJ with MTL, glTF, STL, PLY, VTK or View3D files, as `hemitex solve` does.
 
-    emission: the unit of `Ke`. lumens_per_watt: divides candela and lux of the lights of a glTF file. crease: the angle in degrees at which curved parts end. facets: each face of the file is
-    a surface of one element, named by its number. flip: names of surfaces or groups that are turned over. For the
-    others see `Scene.from_arrays`.
+    emission: the unit of `Ke`. lumens_per_watt: divides candela and lux of the lights of a glTF file. crease: the angle
+    in degrees at which curved parts end. facets: each face of the file is a surface of one element, named by its
+    number. flip: names of surfaces or groups that are turned over. For the others see `Scene.from_arrays`.
     """
     settings = {
         "charts": charts,

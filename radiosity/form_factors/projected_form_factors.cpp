@@ -54,9 +54,9 @@ Cone coneAround(std::span<const SpaceBox> boxes, const Lamp& lamp) {
   const glm::dvec3 way = 0.5 * (all.low + all.high) - lamp.position;
   const double distance = glm::length(way);
   if (distance > farDistance * radius)
-    throw raster::InputError("the lamp `" + raster::excerpt(lamp.name) +
-                                 "` is farther from the scene than a thousand times its radius",
-                             "replace it by parallel light, or move it nearer");
+    throw raster::InputError(
+        "the lamp `" + raster::excerpt(lamp.name) + "` is farther from the scene than a thousand times its radius",
+        "replace it by parallel light, or move it nearer");
   return {way / distance, distance > radius ? radius / std::sqrt(distance * distance - radius * radius) : wide};
 }
 
@@ -145,8 +145,8 @@ FormFactorRow ProjectedFormFactors::ofLamp(const Lamp& lamp, std::uint32_t numbe
                    x = glm::cross(y, drawn.axis);
   std::optional<LampCone> cone = lamp.cone;
   if (cone) cone->axis = glm::dvec3(glm::dot(x, cone->axis), glm::dot(y, cone->axis), glm::dot(drawn.axis, cone->axis));
-  const Projection projection = lampProjection(std::min(finer * settings_.resolution, finest), cone, drawn.tangent,
-                                               !isNarrower);
+  const Projection projection =
+      lampProjection(std::min(finer * settings_.resolution, finest), cone, drawn.tangent, !isNarrower);
   View view{&projection, {}, trianglesFacingAway(scene_, lamp.position, true)};
   view.faces = facesOver(projection.faces, lamp.position - scene_.origin, drawn.axis, up,
                          nearDistance(scene_, boxes_, lamp.position, view.skipped, projection.squaredReach));

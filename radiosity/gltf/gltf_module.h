@@ -125,10 +125,10 @@ struct ImportedCamera {
 struct ImportedLight {
   enum class Kind { Point, Spot, Directional };
   Kind kind = Kind::Point;
-  std::string name;                      ///< of its node, or its own
-  glm::dvec3 position{0.0};              ///< in world space
-  glm::dvec3 direction{0.0, 0.0, -1.0};  ///< unit vector along the light, in world space
-  glm::dvec3 intensity{0.0};             ///< linear colour times cd; of directional light times lux; >= 0
+  std::string name;                       ///< of its node, or its own
+  glm::dvec3 position{0.0};               ///< in world space
+  glm::dvec3 direction{0.0, 0.0, -1.0};   ///< unit vector along the light, in world space
+  glm::dvec3 intensity{0.0};              ///< linear colour times cd; of directional light times lux; >= 0
   double innerAngle = 0, outerAngle = 0;  ///< of a spot, to its axis, in radians; 0 <= inner <= outer <= pi/2
 };
 

@@ -26,7 +26,7 @@ const GaussRule<4>& gaussRule() {
     const double inner = std::sqrt((3 - 2 * root) / 7), outer = std::sqrt((3 + 2 * root) / 7);
     const double innerWeight = (18 + std::sqrt(30.0)) / 72, outerWeight = (18 - std::sqrt(30.0)) / 72;
     return GaussRule<4>{{(1 - outer) / 2, (1 - inner) / 2, (1 + inner) / 2, (1 + outer) / 2},
-                     {outerWeight, innerWeight, innerWeight, outerWeight}};
+                        {outerWeight, innerWeight, innerWeight, outerWeight}};
   }();
   return rule;
 }
@@ -220,8 +220,7 @@ std::vector<ProjectionFace> cubeFaces(int resolution) {
 
 /// The intensity of a lamp over its full one.
 double intensityAt(const LampCone& cone, double cosine) {
-  const double ramp =
-      std::clamp((cosine - cone.outerCosine) / (cone.innerCosine - cone.outerCosine), 0.0, 1.0);
+  const double ramp = std::clamp((cosine - cone.outerCosine) / (cone.innerCosine - cone.outerCosine), 0.0, 1.0);
   return ramp * ramp;
 }
 

@@ -97,11 +97,11 @@ double fullSolidAngle(const std::optional<LampCone>& cone);
 /// Wider faces of a lamp become a cube, which sees more with the same pixels.
 inline constexpr double widestLampFace = 2;
 
-/// The projection of a lamp that is a point. Its shares are those of the flux of the lamp: the integral of the intensity
-/// over the solid angle of each pixel, over that of all directions. The axis of the cone is in the axes of the
-/// projection. Up to widestLampFace there is one face along +z, `halfWidth` wide to each side at a distance of 1; else
-/// six, a hemicube with its mirror image. `holdsAll`: no light passes beside the face, so that the shares sum to 1 less
-/// 2^-40, which rounding needs.
+/// The projection of a lamp that is a point. Its shares are those of the flux of the lamp: the integral of the
+/// intensity over the solid angle of each pixel, over that of all directions. The axis of the cone is in the axes of
+/// the projection. Up to widestLampFace there is one face along +z, `halfWidth` wide to each side at a distance of 1;
+/// else six, a hemicube with its mirror image. `holdsAll`: no light passes beside the face, so that the shares sum to 1
+/// less 2^-40, which rounding needs.
 Projection lampProjection(int resolution, const std::optional<LampCone>& cone,
                           double halfWidth = std::numeric_limits<double>::infinity(), bool holdsAll = true);
 

@@ -210,8 +210,12 @@ GltfFile readGltf(const std::filesystem::path& file) {
   for (const ImportedPart& part : imported.parts)
     builder.add(part,
                 part.material ? imported.materials[static_cast<std::size_t>(*part.material)].name : std::string());
-  GltfFile gltf{std::move(builder).mesh(), std::move(imported.materials), std::move(imported.images),
-                std::move(imported.lights),       {},                            {}};
+  GltfFile gltf{std::move(builder).mesh(),
+                std::move(imported.materials),
+                std::move(imported.images),
+                std::move(imported.lights),
+                {},
+                {}};
   for (ImportedNode& node : imported.nodes) gltf.mesh.objects.push_back({std::move(node.name), node.parent});
   gltf.mesh.warnings = std::move(imported.warnings);
   gltf.files.assign(imported.files.begin(), imported.files.end());

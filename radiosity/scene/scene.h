@@ -48,7 +48,7 @@ inline double brightest(const OutsideLight& light) {
 /// The directions into which a spot shines. Its intensity is full up to the inner angle and 0 from the outer one on.
 /// Between them it is the square of a linear function of the cosine, as KHR_lights_punctual recommends.
 struct LampCone {
-  glm::dvec3 axis{0.0, 0.0, -1.0};           ///< unit vector away from the lamp
+  glm::dvec3 axis{0.0, 0.0, -1.0};            ///< unit vector away from the lamp
   double innerCosine = 1, outerCosine = 0.5;  ///< of the angles to the axis, 0 <= outer < inner <= 1
 };
 

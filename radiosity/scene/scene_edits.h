@@ -43,7 +43,7 @@ struct Add {
 /// scenes the back of a surface has a name of its own.
 struct SetEmission {
   std::string name;
-  glm::dvec3 to;               ///< 0 or more per band; of a lamp the intensity in W/sr
+  glm::dvec3 to;                ///< 0 or more per band; of a lamp the intensity in W/sr
   double radiosityPerUnit = 1;  ///< by which `to` becomes a radiosity in W/m^2, at most largestEmission (mtl_file.h)
 };
 struct SetReflectance {

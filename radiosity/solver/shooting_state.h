@@ -2,11 +2,11 @@
 /// area.
 ///
 /// Let T_p be the flux that patch p has shot along its row, and S_e the flux that element e receives from outside the
-/// scene and from lamps that are points. Element e received I_e = S_e + sum_p F_pe T_p and sends out E_e + rho_e I_e. The part of a patch's outgoing
-/// flux that T_p does not include yet is unshot. This holds whatever was shot. So a solution can be continued after a
-/// change of emission, reflectances or rows: the same sums with the new E, rho and F give the new unshot flux. It is
-/// negative where the change removed light, and shooting negative flux retracts the excess (Chen 1990, George, Sillion
-/// and Greenberg 1990).
+/// scene and from lamps that are points. Element e received I_e = S_e + sum_p F_pe T_p and sends out E_e + rho_e I_e.
+/// The part of a patch's outgoing flux that T_p does not include yet is unshot. This holds whatever was shot. So a
+/// solution can be continued after a change of emission, reflectances or rows: the same sums with the new E, rho and F
+/// give the new unshot flux. It is negative where the change removed light, and shooting negative flux retracts the
+/// excess (Chen 1990, George, Sillion and Greenberg 1990).
 ///
 /// A patch shoots the sum of its elements' unshot flux along one row, so that only this sum matters. The residual is
 /// the sum of the absolute values of these sums over patches. It bounds the error, because unshot flux of either sign

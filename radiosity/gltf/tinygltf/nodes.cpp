@@ -340,7 +340,9 @@ class NodeReader {
     const tinygltf::Light& light = itemAt(gltf_.lights, number.empty() ? -1 : static_cast<int>(number[0]), "light");
     const std::vector<double> colour = light.color.size() == 3 ? light.color : std::vector<double>(3, 1);
     ImportedLight read{.kind = ImportedLight::Kind::Point,
-                       .name = !node.empty() ? node : !light.name.empty() ? light.name : "lamp",
+                       .name = !node.empty()         ? node
+                               : !light.name.empty() ? light.name
+                                                     : "lamp",
                        .position = toWorld[3],
                        .direction = -glm::dvec3(toWorld[2]),
                        .intensity = light.intensity * glm::dvec3(colour[0], colour[1], colour[2]),
@@ -361,9 +363,11 @@ class NodeReader {
     if (read.kind == ImportedLight::Kind::Spot &&
         !(read.innerAngle >= 0 && read.innerAngle <= read.outerAngle && read.outerAngle > 0 &&
           read.outerAngle <= std::numbers::pi / 2 + 1e-6))
-      throw Fault{which + " has cone angles out of range", "use 0 <= inner <= outer <= pi/2, and an outer angle above 0"};
+      throw Fault{which + " has cone angles out of range",
+                  "use 0 <= inner <= outer <= pi/2, and an outer angle above 0"};
     if (light.range > 0)
-      import_.warnings.push_back(which + " has a range, which is left out: light falls with the squared distance alone");
+      import_.warnings.push_back(which +
+                                 " has a range, which is left out: light falls with the squared distance alone");
     import_.lights.push_back(std::move(read));
   }
 

@@ -58,8 +58,9 @@ struct Lit {
   Lit(Scene of, int texels, int resolution = 512)
       : scene(std::move(of)),
         discretization(discretize(scene, {.texels = texels})),
-        flux(SceneFormFactors(scene, discretization, layOut(discretization), {.resolution = resolution})
-                 .outsideFlux()) {}
+        flux(
+            SceneFormFactors(scene, discretization, layOut(discretization), {.resolution = resolution}).outsideFlux()) {
+  }
 
   double received(std::size_t element) const { return flux.received[element][0]; }
   double ofSurface(std::size_t surface) const {
@@ -85,8 +86,7 @@ double largestError(const Lit& lit, double size, int texels,
                        high = size * (glm::dvec2(column + 1, row + 1) / double(texels) - 0.5);
       const double truth = expected(low, high);
       most = std::max(most, truth);
-      largest = std::max(largest,
-                         std::abs(lit.received(static_cast<std::size_t>(row * texels + column)) - truth));
+      largest = std::max(largest, std::abs(lit.received(static_cast<std::size_t>(row * texels + column)) - truth));
     }
   return largest / most;
 }
@@ -196,8 +196,7 @@ TEST_CASE("outsideFlux of a spot is that of its cone", "[lamp]") {
       for (int j = 0; j < steps; ++j) {
         const glm::dvec2 at = glm::mix(low, high, (glm::dvec2(i, j) + 0.5) / double(steps));
         const double distance = std::sqrt(glm::dot(at, at) + height * height), cosine = height / distance;
-        const double ramp =
-            std::clamp((cosine - cone.outerCosine) / (cone.innerCosine - cone.outerCosine), 0.0, 1.0);
+        const double ramp = std::clamp((cosine - cone.outerCosine) / (cone.innerCosine - cone.outerCosine), 0.0, 1.0);
         sum += 3 * ramp * ramp * cosine / (distance * distance);
       }
     return sum * (high.x - low.x) * (high.y - low.y) / (steps * steps);
@@ -235,8 +234,8 @@ TEST_CASE("outsideFlux of a lamp leaves the shadow of a plate dark", "[lamp]") {
   constexpr double size = 4, height = 2;
   constexpr int texels = 16;
   const glm::dvec2 low(-0.35, -0.2), high(0.55, 0.4);  // of the plate, at a height of 1: its shadow is twice as large
-  const Lit lit(sceneWith({floorOf(size), tests::parallelogram("plate", {low, 1}, {high.x - low.x, 0, 0},
-                                                               {0, high.y - low.y, 0})},
+  const Lit lit(sceneWith({floorOf(size),
+                           tests::parallelogram("plate", {low, 1}, {high.x - low.x, 0, 0}, {0, high.y - low.y, 0})},
                           {"lamp", {0, 0, height}, glm::dvec3(1)}),
                 texels);
   const double error = largestError(lit, size, texels, [&](const glm::dvec2& a, const glm::dvec2& b) {
