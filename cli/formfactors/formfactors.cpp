@@ -52,6 +52,7 @@ struct FormFactorOptions {
   radiosity::DrawingSettings drawing;
   reference::RayOptions rays;
   std::string from;
+  std::vector<std::string> at;  ///< points or files of points
   bool bySurface = false;
   bool all = false;
   bool smooth = false;
@@ -116,16 +117,45 @@ Table tableOf(const std::vector<SparseRow>& rows, std::size_t receivers, std::ve
   return {columns, rows.size() * receivers, cells};
 }
 
-/// The table of the only row.
+/// A source and how it was named.
+struct NamedSource {
+  std::string name;
+  reference::Source source;
+};
+
+std::vector<NamedSource> sourcesOf(const FormFactorOptions& options, const radiosity::Scene& scene,
+                                   const radiosity::Discretization& discretization) {
+  if (options.at.empty()) return {{options.from, sourceNamed(scene, discretization, options.from)}};
+  std::vector<NamedSource> sources;
+  for (const std::string& text : options.at)
+    for (const NamedPoint& point : pointsNamed(text)) sources.push_back({point.name, {.point = point.point}});
+  return sources;
+}
+
+/// The table of one row, or of the rows of several points, which are counted from 1.
 Table tableOf(const std::vector<SparseRow>& rows, const radiosity::Scene& scene,
-              const radiosity::Discretization& discretization) {
-  return tableOf(rows, discretization.elements.size(), {"surface", "column", "row", "area"},
-                 [&](std::size_t index) -> std::vector<Cell> {
-                   const radiosity::Element& element = discretization.elements[index];
-                   const auto columns = static_cast<std::uint32_t>(discretization.grids[element.surface].columns);
-                   return {scene.surfaces[element.surface].name, std::int64_t{element.texel % columns},
-                           std::int64_t{element.texel / columns}, element.area};
-                 });
+              const radiosity::Discretization& discretization, const Families& families,
+              const RowReceivers& receivers) {
+  const std::size_t count = receivers.area.size();
+  const bool areElements = receivers.ofSurface.empty();
+  std::vector<std::string> columns{"surface", "area"};
+  if (areElements) columns.insert(columns.begin() + 1, {"column", "row"});
+  if (rows.size() > 1) columns.insert(columns.begin(), "point");
+  return tableOf(rows, count, columns, [&, areElements, count](std::size_t index) {
+    std::vector<Cell> cells;
+    if (rows.size() > 1) cells.emplace_back(static_cast<std::int64_t>(index / count) + 1);
+    index %= count;
+    if (areElements) {
+      const radiosity::Element& element = discretization.elements[index];
+      const auto width = static_cast<std::uint32_t>(discretization.grids[element.surface].columns);
+      cells.insert(cells.end(), {scene.surfaces[element.surface].name, std::int64_t{element.texel % width},
+                                 std::int64_t{element.texel / width}});
+    } else {
+      cells.emplace_back(families.names[index]);
+    }
+    cells.emplace_back(receivers.area[index]);
+    return cells;
+  });
 }
 
 void tellCaptured(const RowMethod& method, Console& console) {
@@ -146,32 +176,41 @@ void warnOfBacks(const std::vector<double>& backs, const std::vector<std::string
                   "; a face may be turned over (--flip), or part of a surface lies inside a solid");
 }
 
-void printRow(const FormFactorOptions& options, Context& context, const radiosity::Scene& scene,
-              const radiosity::Discretization& discretization) {
-  const reference::Source source = sourceNamed(scene, discretization, options.from);
+void printRows(const FormFactorOptions& options, Context& context, const radiosity::Scene& scene,
+               const radiosity::Discretization& discretization) {
+  const std::vector<NamedSource> sources = sourcesOf(options, scene, discretization);
   const Families families = radiosity::familiesOf(scene);
   const RowReceivers receivers = options.bySurface ? reference::familiesAsReceivers(discretization, families)
                                                    : reference::elementsAsReceivers(discretization);
   const RowMethod method = methodOf(options, scene, discretization, receivers, context);
-  std::vector<SparseRow> rows{method.row(source)};
-  const OutsideShares outside = rows.front().takeOutside(receivers.area.size());
+  std::vector<SparseRow> rows;
+  std::vector<std::string> names;
+  std::vector<double> surroundings, backs;
   tellCaptured(method, context.console);
-  context.console.message("from " + options.from + ": " +
-                          (outside.backs ? "the share of the light that leaves the scene is " +
-                                               roundedText(*outside.surroundings) +
-                                               "; the share that meets backs of faces is " + roundedText(*outside.backs)
-                                         : blockersIgnored));
-  warnOfBacks({outside.backs.value_or(0)}, {options.from}, context.console);
-  const auto names = [&](std::size_t family) -> std::vector<Cell> {
-    return {families.names[family], receivers.area[family]};
-  };
-  const Table table = options.bySurface ? tableOf(rows, families.names.size(), {"surface", "area"}, names)
-                                        : tableOf(rows, scene, discretization);
+  for (const NamedSource& from : sources) {
+    rows.push_back(method.row(from.source));
+    names.push_back(from.name);
+    const OutsideShares outside = rows.back().takeOutside(receivers.area.size());
+    if (outside.backs) {
+      surroundings.push_back(*outside.surroundings);
+      backs.push_back(*outside.backs);
+    }
+    context.console.message(
+        "from " + from.name + ": " +
+        (outside.backs ? "the share of the light that leaves the scene is " + roundedText(*outside.surroundings) +
+                             "; the share that meets backs of faces is " + roundedText(*outside.backs)
+                       : blockersIgnored));
+  }
+  warnOfBacks(backs, names, context.console);
+  const Table table = tableOf(rows, scene, discretization, families, receivers);
   if (!context.json) return writeCsv(std::cout, table);
-  nlohmann::ordered_json result{{"from", options.from}};
+  const auto oneOrAll = [](const auto& values) {
+    return values.size() == 1 ? nlohmann::ordered_json(values.front()) : nlohmann::ordered_json(values);
+  };
+  nlohmann::ordered_json result{{"from", oneOrAll(names)}};
   result.update(settingsOf(options));
   result.update({{"row", toJson(table)}});
-  if (outside.backs) result.update({{"background", *outside.surroundings}, {"back", *outside.backs}});
+  if (!backs.empty()) result.update({{"background", oneOrAll(surroundings)}, {"back", oneOrAll(backs)}});
   if (method.captured) result["captured"] = *method.captured;
   std::cout << toText(result);
 }
@@ -466,7 +505,7 @@ void print(const FormFactorOptions& options, Context& context) {
   radiosity::Scene scene = sceneOf(options.scene, context.console);
   if (options.scene.settings.facets) scene = radiosity::withoutBuried(std::move(scene));
   const radiosity::Discretization discretization = discretizationOf(options.discretization, scene);
-  (isSparse(options) ? writeMatrix : options.all ? printMatrix : printRow)(options, context, scene, discretization);
+  (isSparse(options) ? writeMatrix : options.all ? printMatrix : printRows)(options, context, scene, discretization);
 }
 
 /// The file of a sparse matrix, whose rows sum to 1, has a known format.
@@ -499,6 +538,12 @@ void addFormFactors(Command program, Context& context) {
                                   "the matrix from every surface to every surface: printed with --by-surface, or "
                                   "written into a file of sparse rows with -o FILE.npz, FILE.mtx or FILE.csv");
   all.excludes(from);
+  rows.addTexts("--at", "x,y,z,nx,ny,nz",
+                "point with a normal that the form factors start from, on a surface or not; or a CSV file of such "
+                "points (repeatable). The share that leaves the scene is the sky view factor.",
+                [options](const std::vector<std::string>& texts) { options->at = texts; })
+      .excludes(from)
+      .excludes(all);
   rows.addFlag("--facets", options->facets,
                "make every face of the file a surface of one element, numbered from 0 (default for meshes without "
                "materials, such as STL and VTU, unless --by-surface is given)")
@@ -552,8 +597,10 @@ void addFormFactors(Command program, Context& context) {
       {"data/cornell-box.obj --from light --by-surface", "data/cornell-box.obj --all --facets -o F.npz"});
   command.onRead([options, command, &context] {
     context.isShared = options->all;
-    if (options->from.empty() && !options->all)
-      usageError("--from", "is required; or print the matrix with --all --by-surface");
+    if (options->from.empty() && options->at.empty() && !options->all)
+      usageError("--from", "is required; or give points with --at, or print the matrix with --all --by-surface");
+    if (!options->at.empty() && !projectionNamed(options->method))
+      usageError("--at", "needs a --method that draws: hemicube, single-plane or tetrahedron");
     if (options->all && !options->bySurface) requireMatrixFile(*options);
     completeFacets(*options, command);
     if (options->maxError && !(isSparse(*options) && options->scene.settings.facets))

@@ -50,13 +50,23 @@ glm::dvec3 unit(const glm::dvec3& vector) {
   return glm::normalize(vector / std::max({sizes.x, sizes.y, sizes.z}));
 }
 
-/// Reads `x,y,z=R,G,B`.
-radiosity::Sun readSun(const std::string& text) {
+/// Reads `x,y,z=R,G,B`: a vector and light of at least 0.
+std::pair<glm::dvec3, glm::dvec3> readPlacedLight(const std::string& option, const std::string& text) {
   const std::size_t equals = text.find('=');
-  const auto towards = parseVector(text.substr(0, equals));
-  if (equals == std::string::npos || !towards) usageError("--sun", "`" + text + "` is not x,y,z=R,G,B");
-  if (*towards == glm::dvec3(0)) usageError("--sun", "`" + text + "` has no direction");
-  return {unit(*towards), readIrradiance("--sun", text.substr(equals + 1))};
+  const auto vector = parseVector(text.substr(0, equals));
+  if (equals == std::string::npos || !vector) usageError(option, "`" + text + "` is not x,y,z=R,G,B");
+  return {*vector, readIrradiance(option, text.substr(equals + 1))};
+}
+
+radiosity::Sun readSun(const std::string& text) {
+  const auto [towards, irradiance] = readPlacedLight("--sun", text);
+  if (towards == glm::dvec3(0)) usageError("--sun", "`" + text + "` has no direction");
+  return {unit(towards), irradiance};
+}
+
+radiosity::Lamp readLamp(const std::string& text) {
+  const auto [position, intensity] = readPlacedLight("--lamp", text);
+  return {{}, position, intensity};
 }
 
 /// Throws InputError, with the name, for a value that is not a list of three numbers of at least 0.
@@ -129,6 +139,12 @@ void addMaterialOptions(Command command, MaterialOptions& options) {
                    [&options](const std::vector<std::string>& texts) {
                      for (const std::string& text : texts) options.suns.push_back(readSun(text));
                    });
+  command.addTexts("--lamp", "x,y,z=R,G,B",
+                   "add a lamp at the point x,y,z; R,G,B is its radiant intensity in W/sr, equal in all directions "
+                   "(repeatable). `lamp-1`, `lamp-2`, ... are the names in edits.",
+                   [&options](const std::vector<std::string>& texts) {
+                     for (const std::string& text : texts) options.lamps.push_back(readLamp(text));
+                   });
   command.addPath("--lights", "FILE.json",
                   R"(read emissions from a JSON object {"NAME": [R,G,B], ...}; see --emit. The names "sky" and "sun" )"
                   R"(mean --sky and --sun: {"sky": [R,G,B], "sun": {"towards": [x,y,z], "irradiance": [R,G,B]}})",
@@ -137,18 +153,26 @@ void addMaterialOptions(Command command, MaterialOptions& options) {
 
 radiosity::Scene withMaterials(radiosity::Scene scene, const MaterialOptions& options,
                                const radiosity::SceneSettings& settings) {
+  for (radiosity::Lamp lamp : options.lamps) {
+    lamp.name = "lamp-" + std::to_string(scene.lamps.size() + 1);
+    scene.lamps.push_back(lamp);
+  }
   const double unit = radiosity::radiosityPerUnit(settings.emission);
   for (const NamedColor& light : options.emissions)
-    apply(scene, light, radiosity::SetEmission{light.name, unit * light.color});
+    apply(scene, light, radiosity::SetEmission{light.name, light.color, unit});
   for (const NamedColor& paint : options.reflectances) {
     glm::dvec3 reflectance = paint.color;
     if (const auto warning = radiosity::lowerReflectance(reflectance, settings.maxReflectance))
       scene.warnings.push_back("`" + raster::excerpt(paint.name) + "`: " + *warning);
     apply(scene, paint, radiosity::SetReflectance{paint.name, reflectance});
   }
-  scene.outside = {options.sky.value_or(glm::dvec3(0)), options.suns};
+  scene.outside.sky = options.sky.value_or(glm::dvec3(0));
+  scene.outside.suns.insert(scene.outside.suns.end(), options.suns.begin(), options.suns.end());
   if (radiosity::brightest(scene.outside) > radiosity::largestEmission)
     throw InputError("the light from outside is above 1e30 W/m^2", "scale it down");
+  for (const radiosity::Lamp& lamp : scene.lamps)
+    if (radiosity::largestBand(lamp.intensity) > radiosity::largestEmission)
+      throw InputError("the lamp `" + raster::excerpt(lamp.name) + "` is above 1e30 W/sr", "scale it down");
   return scene;
 }
 
@@ -161,11 +185,19 @@ ordered_json toJson(const MaterialOptions& options) {
   return changes;
 }
 
-ordered_json toJson(const radiosity::OutsideLight& light) {
+ordered_json lightsJson(const radiosity::Scene& scene) {
   ordered_json text = ordered_json::object();
-  if (light.sky != glm::dvec3(0)) text["sky"] = toJson(light.sky);
-  for (const radiosity::Sun& sun : light.suns)
+  if (scene.outside.sky != glm::dvec3(0)) text["sky"] = toJson(scene.outside.sky);
+  for (const radiosity::Sun& sun : scene.outside.suns)
     text["sun"].push_back({{"towards", toJson(sun.towards)}, {"irradiance", toJson(sun.irradiance)}});
+  for (const radiosity::Lamp& lamp : scene.lamps) {
+    text["lamp"].push_back(
+        {{"name", lamp.name}, {"position", toJson(lamp.position)}, {"intensity", toJson(lamp.intensity)}});
+    if (lamp.cone)
+      text["lamp"].back().update({{"axis", toJson(lamp.cone->axis)},
+                                  {"inner_cosine", lamp.cone->innerCosine},
+                                  {"outer_cosine", lamp.cone->outerCosine}});
+  }
   return text;
 }
 

@@ -41,6 +41,10 @@ std::string hashOf(const radiosity::Scene& scene) {
   Bytes light;
   light.add(scene.outside.sky);
   for (const radiosity::Sun& sun : scene.outside.suns) light.add(sun.towards, sun.irradiance);
+  for (const radiosity::Lamp& lamp : scene.lamps) {
+    light.add(lamp.name, lamp.position, lamp.intensity, scene.squareMetres);
+    if (lamp.cone) light.add(lamp.cone->axis, lamp.cone->innerCosine, lamp.cone->outerCosine);
+  }
   for (const radiosity::Material& material : scene.materials)
     light.add(material.reflectance, material.emission, material.reflectanceMap, material.emissionMap);
   if (!scene.wavelengths.empty()) {

@@ -115,6 +115,9 @@ void addSceneOptions(Command command, SceneOptions& options) {
                    [&options](const std::vector<std::string>& names) { options.settings.flip = names; });
   addChoice(command, "--emission", options.settings.emission, emissionChoices,
             "unit of Ke, --emit and --lights: radiosity in W/m^2, or radiance in W/(m^2 sr) (default radiosity)");
+  addPositive(command.under("Light and reflectance"), "--lumens-per-watt", options.settings.lumensPerWatt,
+              std::numeric_limits<double>::infinity(),
+              "divide the candela and lux of the lights of a glTF file by X, which gives W/sr and W/m^2 (default 683)");
   addCellOptions(command, options.settings);
   addSymmetryOptions(command, options.settings.symmetry);
   addMaterialOptions(command, options.materials);

@@ -1,7 +1,8 @@
-/// Reads the source of form factors from the command line.
+/// Reads the sources of form factors from the command line.
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "radiosity/discretization/discretization.h"
 #include "radiosity/scene/scene.h"
@@ -13,5 +14,14 @@ namespace hemitex::cli {
 /// Also throws it for a texel of a name with several parts.
 reference::Source sourceNamed(const radiosity::Scene& scene, const radiosity::Discretization& discretization,
                               const std::string& text);
+
+/// A point with a unit normal, which the text names.
+struct NamedPoint {
+  std::string name;
+  radiosity::SurfacePoint point;
+};
+/// Reads `x,y,z,nx,ny,nz`, or the name of a CSV file with one such line per point, perhaps below a heading. Throws
+/// InputError for other text, and for a normal of length 0.
+std::vector<NamedPoint> pointsNamed(const std::string& text);
 
 }  // namespace hemitex::cli

@@ -85,7 +85,7 @@ void appendEdits(const json& object, const std::filesystem::path& folder, const 
     if (kind == "add") edits.push_back(radiosity::Add{folder / name, settings, vectorOf(object, "by")});
     if (kind == "emission")
       edits.push_back(
-          radiosity::SetEmission{name, radiosity::radiosityPerUnit(settings.emission) * vectorOf(object, "to")});
+          radiosity::SetEmission{name, vectorOf(object, "to"), radiosity::radiosityPerUnit(settings.emission)});
     if (kind == "reflectance") edits.push_back(radiosity::SetReflectance{name, vectorOf(object, "to")});
   }
 }

@@ -8,8 +8,8 @@
 ///     ]}
 ///
 /// A name is that of a surface or a family. A name that ends with `*` stands for all names with this beginning, and a
-/// list of names for all its entries. Paths are relative to the file of edits. Emissions have the unit of `Ke` in the
-/// scene (`--emission`).
+/// list of names for all its entries. `move` and `emission` also name lamps that are points. Paths are relative to the
+/// file of edits. Emissions have the unit of `Ke` in the scene (`--emission`).
 #pragma once
 
 #include <filesystem>

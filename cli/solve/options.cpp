@@ -223,7 +223,9 @@ void addSolveOptions(Command command, SolveOptions& options, Context& context) {
                      "--residual", "--size"});
 }
 
-radiosity::Scene loadedScene(const SolveOptions& options) {
+namespace {
+
+radiosity::Scene sceneInBands(const SolveOptions& options) {
   if (options.bands.empty()) return loadedScene(options.scene);
   SceneOptions unchanged = options.scene;
   unchanged.materials = {};
@@ -234,6 +236,14 @@ radiosity::Scene loadedScene(const SolveOptions& options) {
                         options.scene.materials, settings);
   scene.files.insert(scene.files.end(), read.files.begin(), read.files.end());
   requireLight(scene, options.scene.file);
+  return scene;
+}
+
+}  // namespace
+
+radiosity::Scene loadedScene(const SolveOptions& options) {
+  radiosity::Scene scene = sceneInBands(options);
+  scene.squareMetres = squareMetresPerUnit(options);
   return scene;
 }
 

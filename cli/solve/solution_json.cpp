@@ -184,6 +184,13 @@ std::string emissionText(const ordered_json& solution) {
                "as Blender does\n";
 }
 
+/// How the lights of a file were read; empty without them.
+std::string candelaText(const ordered_json& settings) {
+  if (!settings.contains("lumens_per_watt")) return "";
+  return "candela and lux of the file were divided by " + roundedText(settings["lumens_per_watt"]) +
+         " lm/W; --lumens-per-watt 1 takes their numbers as W/sr and W/m^2\n";
+}
+
 }  // namespace
 
 ordered_json solutionSettings(const SolveOptions& options) {
@@ -215,7 +222,8 @@ ordered_json description(const SolvedScene& solved, const std::optional<radiosit
   if (options.metresPerUnit) settings["metres_per_unit"] = *options.metresPerUnit;
   const MaterialOptions& materials = options.scene.materials;
   if (materials.changeMaterials()) settings["materials"] = toJson(materials);
-  settings.update(toJson(solved.scene.outside));
+  settings.update(lightsJson(solved.scene));
+  if (solved.scene.photometricLights > 0) settings["lumens_per_watt"] = options.scene.settings.lumensPerWatt;
   const radiosity::Phantoms phantoms = radiosity::countPhantoms(solved.discretization, solved.layout);
   const bool isLitFromOutside = radiosity::brightest(solved.scene.outside) > 0;
   const double squareMetres = squareMetresPerUnit(options);
@@ -246,7 +254,7 @@ std::string summary(const ordered_json& solution) {
   if (solution.contains("frames"))
     for (const ordered_json& frame : solution["frames"])
       text << frame["folder"].get<std::string>() << ": " << shotsText(frame, frame["times"]["update_s"]);
-  text << expectedErrorText(solution) << emissionText(solution)
+  text << expectedErrorText(solution) << emissionText(solution) << candelaText(solution["settings"])
        << fluxText(solution["energy"], solution.contains("bands"));
   return text.str();
 }
@@ -254,7 +262,7 @@ std::string summary(const ordered_json& solution) {
 std::vector<std::string> unitWarning(const SolvedScene& solved) {
   constexpr double largestFlux = 1e6;  // in W; the lamps of a large hall emit less
   const double emitted = radiosity::bandSum(solved.solution.energy.emitted);
-  const bool isOfMaterials = radiosity::brightest(solved.scene.outside) == 0;
+  const bool isOfMaterials = radiosity::brightest(solved.scene.outside) == 0 && solved.scene.lamps.empty();
   if (solved.options.metresPerUnit || !isOfMaterials || emitted < largestFlux) return {};
   return {"the scene emits " + roundedText(emitted / 1e6) + " MW and is " + roundedText(solved.scene.extent) +
           " units across; if its lengths are in millimetres, add --units mm, so that fluxes are in W"};

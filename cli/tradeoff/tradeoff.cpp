@@ -138,8 +138,9 @@ void measure(const TradeoffOptions& options, Context& context) {
   const reference::Stopwatch all;
   const radiosity::Scene scene = sceneOf(options.scene, console);
   requireLight(scene, options.scene.file);
-  if (radiosity::brightest(scene.outside) > 0)
-    throw raster::InputError("tradeoff does not measure light from outside", "omit --sky and --sun");
+  if (radiosity::brightest(scene.outside) > 0 || !scene.lamps.empty())
+    throw raster::InputError("tradeoff does not measure light from outside, nor lamps that are points",
+                             "omit --sky, --sun and --lamp, and the lights of a glTF file");
   const radiosity::Camera camera = cameraOf({}, scene, options.scene.file);
   Staging staging({.place = options.output, .writer = "tradeoff", .inputs = context.inputs(scene.files)});
   staging.requirePlaces({"tradeoff.csv", "tradeoff.json", "report.html"});

@@ -53,6 +53,7 @@ radiosity::SceneSettings sceneSettings(const Settings& settings) {
                             "charts", {{"auto", Charts::Auto}, {"file", Charts::File}, {"planar", Charts::Planar}}));
   result.crease = settings.number("crease", 1e-9, 180);
   assign(result.maxReflectance, settings.number("max_reflectance", 0, 1 - 1e-16));
+  assign(result.lumensPerWatt, settings.number("lumens_per_watt", 1e-30, 1e30));
   assign(result.sides,
          settings.choice<Sides>("sides", {{"auto", Sides::TwoOfSheets}, {"one", Sides::One}, {"two", Sides::Two}}));
   assign(result.emission, settings.choice<EmissionUnit>("emission", {{"radiosity", EmissionUnit::Radiosity},
@@ -160,28 +161,42 @@ PythonScene editedScene(const PythonScene& former, const py::sequence& list) {
   });
 }
 
-/// The scene with light from outside; `suns` are pairs of a direction and an irradiance.
-PythonScene litFromOutside(const PythonScene& former, const py::object& sky, const py::sequence& suns) {
-  radiosity::OutsideLight outside{vectorOf(sky, "sky"), {}};
-  const auto check = [](const glm::dvec3& light, const char* name) {
-    for (int band = 0; band < 3; ++band)
-      if (!(light[band] >= 0 && light[band] <= radiosity::largestEmission))
-        throw InputError("`" + std::string(name) + "` has an irradiance below 0 or above 1e30 W/m^2");
-  };
-  check(outside.sky, "sky");
-  for (const py::handle& sun : suns) {
-    const auto pair = py::reinterpret_borrow<py::sequence>(sun);
-    if (!py::isinstance<py::sequence>(sun) || pair.size() != 2)
-      throw InputError("`suns` is no list of pairs", "give (direction, irradiance) for each");
-    const glm::dvec3 towards = vectorOf(py::object(pair[0]), "suns");
-    const glm::dvec3 sizes = glm::abs(towards);
-    const double longest = std::max({sizes.x, sizes.y, sizes.z});
-    if (longest == 0) throw InputError("`suns` has a direction of length 0");
-    outside.suns.push_back({glm::normalize(towards / longest), vectorOf(py::object(pair[1]), "suns")});
-    check(outside.suns.back().irradiance, "suns");
+/// Light of at least 0.
+glm::dvec3 lightOf(const py::object& value, const char* name) {
+  const glm::dvec3 light = vectorOf(value, name);
+  for (int band = 0; band < 3; ++band)
+    if (!(light[band] >= 0 && light[band] <= radiosity::largestEmission))
+      throw InputError("`" + std::string(name) + "` has light below 0 or above 1e30");
+  return light;
+}
+
+/// Pairs of a vector and light.
+std::vector<std::pair<glm::dvec3, glm::dvec3>> lightsOf(const py::sequence& list, const char* name,
+                                                        const std::string& advice) {
+  std::vector<std::pair<glm::dvec3, glm::dvec3>> lights;
+  for (const py::handle& entry : list) {
+    const auto pair = py::reinterpret_borrow<py::sequence>(entry);
+    if (!py::isinstance<py::sequence>(entry) || pair.size() != 2)
+      throw InputError("`" + std::string(name) + "` is no list of pairs", advice);
+    lights.emplace_back(vectorOf(py::object(pair[0]), name), lightOf(py::object(pair[1]), name));
   }
+  return lights;
+}
+
+/// The scene with light that no surface emits: `suns` are pairs of a direction and an irradiance, `lamps` of a point
+/// and an intensity. With `isMore` they are added to those of the scene; else there are no other suns.
+PythonScene withLight(const PythonScene& former, const py::object& sky, const py::sequence& suns,
+                      const py::sequence& lamps, bool isMore) {
   Scene scene = *former.scene;
-  scene.outside = outside;
+  if (!isMore) scene.outside.suns.clear();
+  scene.outside.sky = lightOf(sky, "sky");
+  for (const auto& [towards, irradiance] : lightsOf(suns, "suns", "give (direction, irradiance) for each")) {
+    const double longest = radiosity::largestBand(glm::abs(towards));
+    if (longest == 0) throw InputError("`suns` has a direction of length 0");
+    scene.outside.suns.push_back({glm::normalize(towards / longest), irradiance});
+  }
+  for (const auto& [position, intensity] : lightsOf(lamps, "lamps", "give (position, intensity) for each"))
+    scene.lamps.push_back({"lamp-" + std::to_string(scene.lamps.size() + 1), position, intensity});
   return {std::make_shared<const Scene>(std::move(scene)), former.facets, former.removed};
 }
 
@@ -231,7 +246,9 @@ py::array_t<double> ofSurfaces(const Scene& scene, const Value& value) {
 py::dict aboutScene(const PythonScene& scene) {
   using namespace py::literals;
   const Scene& of = *scene.scene;
-  py::list names, families, materials, files;
+  py::list names, families, materials, files, lamps;
+  for (const radiosity::Lamp& lamp : of.lamps)
+    lamps.append(py::make_tuple(lamp.name, toTuple(lamp.position), toTuple(lamp.intensity)));
   for (const Surface& surface : of.surfaces) {
     names.append(surface.name);
     families.append(surface.family);
@@ -241,7 +258,7 @@ py::dict aboutScene(const PythonScene& scene) {
   return py::dict(
       "names"_a = names, "families"_a = families, "materials"_a = materials, "files"_a = files,
       "warnings"_a = py::cast(of.warnings), "origin"_a = toTuple(of.origin), "extent"_a = of.extent,
-      "faces"_a = of.faces, "sky"_a = toTuple(of.outside.sky),
+      "faces"_a = of.faces, "sky"_a = toTuple(of.outside.sky), "lamps"_a = lamps,
       "wavelengths"_a = py::cast(std::vector<double>(of.wavelengths.rbegin(), of.wavelengths.rend())),
       "area"_a = ofSurfaces(of, [](const Surface& surface) { return radiosity::area(surface); }),
       "reflectance"_a = ofSurfaces(of, [&](const Surface& surface) { return materialOf(of, surface).reflectance; }),
@@ -369,7 +386,7 @@ void addScenes(py::module_& module) {
   module.def("load_scene", &loadScene);
   module.def("scene_from_arrays", &sceneFromArrays);
   module.def("edit_scene", &editedScene);
-  module.def("light_from_outside", &litFromOutside);
+  module.def("with_light", &withLight);
   module.def("in_bands", &inBands);
   module.def("about_scene", &aboutScene);
   module.def("triangles", &trianglesOf);

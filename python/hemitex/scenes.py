@@ -44,6 +44,7 @@ class Scene:
                     max_reflectance: float = 0.9999,
                     sky: Vector = 0.0,
                     suns: Sequence[tuple[Vector, Vector]] = (),
+                    lamps: Sequence[tuple[Vector, Vector]] = (),
                     mirrors: Sequence[tuple[Literal["x", "y", "z"], float]] = (),
                     period: Vector = 0.0,
                     repeats: int | None = None) -> Scene:
@@ -59,6 +60,7 @@ class Scene:
         sides: which surfaces send light on both sides: `one` none, `two` all, `auto` open sheets that are lit from
             both; by default `auto`, and `one` for facets.
         sky: irradiance of an open plane, W/m^2. suns: (direction, irradiance) of parallel lights.
+        lamps: (position, radiant intensity in W/sr) of points; in edits they are `lamp-1`, `lamp-2`, ...
         mirrors: (axis, coordinate) of planes behind which the scene continues as in a mirror, at most two per axis.
         period: lengths along x, y and z of a box that is repeated; 0 along an axis without repeats.
         repeats: images on each side of a box that `period` or two mirrors repeat (4 if not given).
@@ -91,7 +93,7 @@ class Scene:
         core = _core.scene_from_arrays(vertices, corners, counts, group_of, material_of.reshape(-1), groups,
                                        np.ascontiguousarray(materials[:, :3]), np.ascontiguousarray(materials[:, 3:]),
                                        settings)
-        return Scene(_core.light_from_outside(core, sky, list(suns)))
+        return Scene(_core.with_light(core, sky, list(suns), list(lamps), True))
 
     @property
     def names(self) -> list[str]:
@@ -134,6 +136,11 @@ class Scene:
         return self._about["origin"]
 
     @property
+    def lamps(self) -> list[tuple[str, tuple[float, float, float], tuple[float, float, float]]]:
+        """The name, the position and the intensity in W/sr of each lamp that is a point."""
+        return list(self._about["lamps"])
+
+    @property
     def files(self) -> list[str]:
         """The files that were read, the scene first; none for arrays."""
         return list(self._about["files"])
@@ -149,7 +156,7 @@ class Scene:
 
     def lit_from_outside(self, sky: Vector = 0.0, suns: Sequence[tuple[Vector, Vector]] = ()) -> Scene:
         """The scene with another sky and other suns (see `from_arrays`)."""
-        return Scene(_core.light_from_outside(self._core, sky, list(suns)))
+        return Scene(_core.with_light(self._core, sky, list(suns), [], False))
 
     @property
     def wavelengths(self) -> list[float]:
@@ -175,25 +182,28 @@ def load_scene(file: str | os.PathLike[str],
                sides: Literal["auto", "one", "two"] | None = None,
                emission: Literal["radiosity", "radiance"] = "radiosity",
                max_reflectance: float = 0.9999,
+               lumens_per_watt: float = 683.0,
                crease: float | None = None,
                facets: bool = False,
                flip: Sequence[str] = (),
                sky: Vector = 0.0,
                suns: Sequence[tuple[Vector, Vector]] = (),
+               lamps: Sequence[tuple[Vector, Vector]] = (),
                mirrors: Sequence[tuple[Literal["x", "y", "z"], float]] = (),
                period: Vector = 0.0,
                repeats: int | None = None) -> Scene:
     """Reads OBJ with MTL, glTF, STL, PLY, VTK or View3D files, as `hemitex solve` does.
 
-    emission: the unit of `Ke`. crease: the angle in degrees at which curved parts end. facets: each face of the file is
-    a surface of one element, named by its number. flip: names of surfaces or groups that are turned over. For the
-    others see `Scene.from_arrays`.
+    emission: the unit of `Ke`. lumens_per_watt: divides candela and lux of the lights of a glTF file. crease: the angle
+    in degrees at which curved parts end. facets: each face of the file is a surface of one element, named by its
+    number. flip: names of surfaces or groups that are turned over. For the others see `Scene.from_arrays`.
     """
     settings = {
         "charts": charts,
         "sides": sides,
         "emission": emission,
         "max_reflectance": max_reflectance,
+        "lumens_per_watt": lumens_per_watt,
         "crease": crease,
         "facets": facets,
         "flip": list(flip),
@@ -201,7 +211,7 @@ def load_scene(file: str | os.PathLike[str],
         "period": period,
         "repeats": repeats,
     }
-    return Scene(_core.light_from_outside(_core.load_scene(os.fspath(file), settings), sky, list(suns)))
+    return Scene(_core.with_light(_core.load_scene(os.fspath(file), settings), sky, list(suns), list(lamps), True))
 
 
 class Elements:

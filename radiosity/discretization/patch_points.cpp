@@ -11,6 +11,7 @@
 namespace hemitex::radiosity {
 
 glm::dvec3 eyeOver(const Scene& scene, std::uint32_t surface, const SurfacePoint& point) {
+  if (surface == noSurface) return point.position + contactTolerance(scene) * point.normal;
   const std::array<glm::dvec3, 3>& corner = scene.surfaces[surface].triangles[point.triangle].position;
   const glm::dvec3 inward = (corner[0] + corner[1] + corner[2]) / 3.0 - point.position;
   const double distance = glm::length(inward);

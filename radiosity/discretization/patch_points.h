@@ -28,7 +28,9 @@ inline constexpr double eyeHeight = 0x1p-21;
 /// The same lengths in units of the file: contactTolerance, and four times as much. The latter is also the distance up
 /// to which outlines count as one. Both are longer where coordinates are rounded more.
 inline double outlineTolerance(const Scene& scene) { return eyeInset / eyeHeight * contactTolerance(scene); }
-/// The eye of a view from a point of a surface, in units of the file (see eyeInset).
+/// Instead of the number of a surface: the point is on none that is known, such as that of a sensor.
+inline constexpr std::uint32_t noSurface = UINT32_MAX;
+/// The eye of a view from a point of a surface or of none, in units of the file (see eyeInset).
 glm::dvec3 eyeOver(const Scene& scene, std::uint32_t surface, const SurfacePoint& point);
 
 /// The point of a triangle with these barycentric weights of its corners 1 and 2.

@@ -9,7 +9,6 @@
 
 #include "radiosity/base/kahan_sum.h"
 #include "radiosity/discretization/patch_points.h"
-#include "radiosity/form_factors/form_factor_row.h"
 #include "radiosity/form_factors/item_buffer_sum.h"
 #include "radiosity/projection/parallel_view.h"
 #include "radiosity/projection/patch_view.h"
@@ -189,7 +188,18 @@ void requireEqualSuns(const Scene& scene) {
 Bands sumOf(const OutsideFlux& flux) {
   KahanSum sum(flux.received.bands);
   for (std::size_t e = 0; e < flux.received.size(); ++e) sum.add(flux.received[e]);
+  sum.add(flux.lost);
   return sum.sum;
+}
+
+void addLamp(OutsideFlux& flux, std::size_t elements, const FormFactorRow& row, const Bands& emitted) {
+  if (flux.received.empty()) flux.received = BandTable(elements, emitted.size());
+  for (Bands* sum : {&flux.fromLamps, &flux.lost, &flux.lostToBacks}) sum->resize(emitted.size());
+  for (std::size_t i = 0; i < row.elements.size(); ++i)
+    addTo(flux.received[row.elements[i]], emitted, formFactor(row.shares[i]));
+  addTo(flux.fromLamps, emitted);
+  addTo(flux.lost, emitted, formFactor(row.background + row.back));
+  addTo(flux.lostToBacks, emitted, formFactor(row.back));
 }
 
 OutsideViews affordableViews(int directions, std::size_t triangles) {

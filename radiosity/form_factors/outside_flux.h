@@ -1,4 +1,4 @@
-/// The flux that arrives from outside the scene: from the sky and from suns.
+/// The flux that arrives from outside the scene, from the sky and from suns, and that of lamps that are points.
 ///
 /// The sky is replaced by parallel beams from evenly spread directions. For each beam the scene is drawn in a far,
 /// narrow view (parallel_view.h). Each pixel carries the same flux to the element that it shows. A sun is one direction
@@ -15,6 +15,7 @@
 
 #include "radiosity/base/bands.h"
 #include "radiosity/discretization/discretization.h"
+#include "radiosity/form_factors/form_factor_row.h"
 #include "radiosity/index_maps/id_layout.h"
 #include "radiosity/scene/scene.h"
 #include "raster/interface/item_buffer_renderer.h"
@@ -22,12 +23,19 @@
 namespace hemitex::radiosity {
 
 struct OutsideFlux {
-  BandTable received = {};  ///< one per element, W; empty if no light comes from outside
-  Bands onBacks = {};       ///< absorbed by backs, also by the outer sides of walls; W; empty as above
+  BandTable received = {};  ///< one per element, W; empty if no light comes from outside or from lamps
+  Bands onBacks = {};       ///< from outside, absorbed by backs, also by the outer sides of walls; W; empty as above
+  // Of lamps, in W per band; empty without them. Of what they emit, elements receive the rest.
+  Bands fromLamps = {};
+  Bands lost = {};         ///< left the scene or was absorbed by backs
+  Bands lostToBacks = {};  ///< part of `lost` that backs absorbed
 };
 
-/// The sum of the received flux, in W per band; empty if no light comes from outside.
+/// The flux that elements receive from outside, and all that lamps emit, in W per band; empty if there is none.
 Bands sumOf(const OutsideFlux& flux);
+
+/// Adds flux of a lamp along its row (see ProjectedFormFactors::ofLamp) to the flux of a number of elements.
+void addLamp(OutsideFlux& flux, std::size_t elements, const FormFactorRow& row, const Bands& emitted);
 
 inline constexpr int minDirections = 128;
 

@@ -1,8 +1,14 @@
 #include "radiosity/form_factors/projected_form_factors.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "radiosity/form_factors/level_of_detail.h"
+#include "radiosity/geometry/tangent_along.h"
+#include "radiosity/projection/parallel_view.h"
+#include "radiosity/projection/projection_kinds.h"
+#include "raster/base/input_error.h"
 
 namespace hemitex::radiosity {
 namespace {
@@ -22,6 +28,36 @@ std::vector<std::uint32_t> pixelsOf(const FormFactorRow& row, const Discretizati
     }
   }
   return pixels;
+}
+
+/// A cone from a lamp: its axis, and the tangent of its half-angle, which is infinite from a right angle on.
+struct Cone {
+  glm::dvec3 axis;
+  double tangent;
+};
+
+constexpr double wide = std::numeric_limits<double>::infinity();
+
+/// The light of a lamp. The axis of one that shines everywhere lies along no edge of usual scenes, whose elements would
+/// end along rows of pixels.
+Cone coneOf(const Lamp& lamp) {
+  if (!lamp.cone) return {glm::normalize(glm::dvec3(1, 2, 4)), wide};
+  const double cosine = lamp.cone->outerCosine;
+  return {lamp.cone->axis, cosine > 0 ? std::sqrt(1 - cosine * cosine) / cosine : wide};
+}
+
+/// The scene, all of whose triangles are in boxes.
+Cone coneAround(std::span<const SpaceBox> boxes, const Lamp& lamp) {
+  SpaceBox all = boxes.front();
+  for (const SpaceBox& box : boxes) all = {glm::min(all.low, box.low), glm::max(all.high, box.high)};
+  const double radius = 0.5 * glm::length(all.high - all.low);
+  const glm::dvec3 way = 0.5 * (all.low + all.high) - lamp.position;
+  const double distance = glm::length(way);
+  if (distance > farDistance * radius)
+    throw raster::InputError(
+        "the lamp `" + raster::excerpt(lamp.name) + "` is farther from the scene than a thousand times its radius",
+        "replace it by parallel light, or move it nearer");
+  return {way / distance, distance > radius ? radius / std::sqrt(distance * distance - radius * radius) : wide};
 }
 
 }  // namespace
@@ -98,6 +134,24 @@ FormFactorRow ProjectedFormFactors::from(std::uint32_t surface, const SurfacePoi
 }
 
 FormFactorRow ProjectedFormFactors::ofPatch(const Patch& patch) { return ofPoints(pointsOfPatch(patch)); }
+
+FormFactorRow ProjectedFormFactors::ofLamp(const Lamp& lamp, std::uint32_t number) {
+  constexpr int finer = 4, finest = 2048;
+  const Cone light = coneOf(lamp), scene = coneAround(boxes_.boxes, lamp);
+  const bool isNarrower = scene.tangent < std::min(light.tangent, widestLampFace);
+  const Cone& drawn = isNarrower ? scene : light;
+  // The first turns have the slopes 0, 2 and 1/2, along which samples repeat.
+  const glm::dvec3 up = upOf(settings_.orientation, drawn.axis, number + 4, 0), y = tangentAlong(drawn.axis, up),
+                   x = glm::cross(y, drawn.axis);
+  std::optional<LampCone> cone = lamp.cone;
+  if (cone) cone->axis = glm::dvec3(glm::dot(x, cone->axis), glm::dot(y, cone->axis), glm::dot(drawn.axis, cone->axis));
+  const Projection projection =
+      lampProjection(std::min(finer * settings_.resolution, finest), cone, drawn.tangent, !isNarrower);
+  View view{&projection, {}, trianglesFacingAway(scene_, lamp.position, true)};
+  view.faces = facesOver(projection.faces, lamp.position - scene_.origin, drawn.axis, up,
+                         nearDistance(scene_, boxes_, lamp.position, view.skipped, projection.squaredReach));
+  return ofView(view);
+}
 
 FormFactorRow ProjectedFormFactors::ofPoints(std::span<const ViewPoint> points) {
   if (points.size() == 1) return ofView(viewFrom(points.front()));

@@ -63,6 +63,10 @@ class ProjectedFormFactors {
   FormFactorRow from(std::uint32_t surface, const SurfacePoint& point);
   /// The row of a patch: that of its points.
   FormFactorRow ofPatch(const Patch& patch);
+  /// The shares of the flux of a lamp: those that elements and backs receive, and as background what leaves the scene.
+  /// It is drawn with four times the resolution, because its shadows are sharp, but at most 2048 pixels. Lamps of
+  /// different numbers are rotated by different angles. Throws InputError for a lamp too far away.
+  FormFactorRow ofLamp(const Lamp& lamp, std::uint32_t number);
   /// The row from a point, or the mean over several points.
   FormFactorRow ofPoints(std::span<const ViewPoint> points);
 

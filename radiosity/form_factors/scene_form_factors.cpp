@@ -8,6 +8,20 @@
 #include "raster/software/software_renderer.h"
 
 namespace hemitex::radiosity {
+namespace {
+
+/// The number of images of a lamp in its place: a lamp on a mirror plane is its own image, and lights each side with a
+/// part of its flux.
+double lampImages(const Scene& scene, const Lamp& lamp) {
+  return static_cast<double>(
+      std::count_if(scene.instances.begin(), scene.instances.end(), [&](const Instance& instance) {
+        return instance(lamp.position) == lamp.position &&
+               (!lamp.cone || instance.sign * lamp.cone->axis == lamp.cone->axis);
+      }));
+}
+
+}  // namespace
+
 std::unique_ptr<raster::ItemBufferRenderer> softwareRenderer(raster::DrawList list) {
   return std::make_unique<raster::SoftwareRenderer>(std::move(list));
 }
@@ -57,12 +71,24 @@ std::optional<FormFactorRow> SceneFormFactors::corrected(const Patch& patch, con
   return near_ ? near_->corrected(patch, drawn) : std::nullopt;
 }
 
-OutsideFlux SceneFormFactors::outsideFlux() {
+OutsideFlux SceneFormFactors::fluxFromOutside() {
   const OutsideViews views = affordableViews(directions_, placedTriangleCount(scene_));
   if (scene_.instances.size() == 1) return radiosity::outsideFlux(scene_, discretization_, layout_, *renderer_, views);
   const IdLayout layout = layOut(discretization_, {.format = "r32ui", .blend = raster::Blend::IntegerAdd});
   const auto renderer = softwareRenderer(drawListWithBlockers(scene_, discretization_, layout));
   return radiosity::outsideFlux(scene_, discretization_, layout, *renderer, views);
+}
+
+OutsideFlux SceneFormFactors::outsideFlux() {
+  OutsideFlux flux = fluxFromOutside();
+  for (std::uint32_t l = 0; l < scene_.lamps.size(); ++l) {
+    const Lamp& lamp = scene_.lamps[l];
+    if (lamp.intensity == glm::dvec3(0)) continue;
+    const double scale = fullSolidAngle(lamp.cone) / scene_.squareMetres / lampImages(scene_, lamp);
+    addLamp(flux, discretization_.elements.size(), rows_.ofLamp(lamp, l),
+            scaled(lightInBands(scene_, lamp.intensity), scale));
+  }
+  return flux;
 }
 
 PatchSplit SceneFormFactors::splits() {

@@ -78,11 +78,13 @@ class SceneFormFactors {
   const IdLayout& layout() const { return layout_; }
   /// What is drawn for rows, before they are corrected.
   ProjectedFormFactors& uncorrected() { return rows_; }
-  /// The flux from `scene.outside`, with eight times as many directions as a face has pixels along its side,
-  /// or fewer for scenes of many triangles (see affordableViews).
+  /// The flux from `scene.outside` and from `scene.lamps`. That from outside is drawn with eight times as many
+  /// directions as a face has pixels along its side, or fewer for scenes of many triangles (see affordableViews).
   OutsideFlux outsideFlux();
 
  private:
+  OutsideFlux fluxFromOutside();
+
   const Scene& scene_;
   const Discretization& discretization_;
   const IdLayout layout_;

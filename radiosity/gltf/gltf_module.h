@@ -121,12 +121,24 @@ struct ImportedCamera {
   double fov = 50;  ///< vertical, in degrees
 };
 
+/// A light of KHR_lights_punctual at a node.
+struct ImportedLight {
+  enum class Kind { Point, Spot, Directional };
+  Kind kind = Kind::Point;
+  std::string name;                       ///< of its node, or its own
+  glm::dvec3 position{0.0};               ///< in world space
+  glm::dvec3 direction{0.0, 0.0, -1.0};   ///< unit vector along the light, in world space
+  glm::dvec3 intensity{0.0};              ///< linear colour times cd; of directional light times lux; >= 0
+  double innerAngle = 0, outerAngle = 0;  ///< of a spot, to its axis, in radians; 0 <= inner <= outer <= pi/2
+};
+
 struct GltfImport {
   std::vector<ImportedMaterial> materials;
   std::vector<ImportedImage> images;     ///< one per file or range of bytes, however many images of the file name it
   std::vector<ImportedNode> nodes;       ///< in the order of a walk from the roots of the scene, children after parents
   std::vector<ImportedPart> parts;       ///< in the order of the nodes
   std::optional<ImportedCamera> camera;  ///< the first one with a perspective
+  std::vector<ImportedLight> lights;     ///< in the order of the nodes
   std::vector<std::string> warnings;     ///< one sentence each, for the user
   std::vector<std::string> files;        ///< buffers and images that were read, with the folder of the scene
 };

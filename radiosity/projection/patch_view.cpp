@@ -122,7 +122,8 @@ std::vector<std::uint32_t> skippedTriangles(const Scene& scene, const TriangleBo
     }
   };
   // A surface with a twin is one of `backed`, and so is its twin.
-  if (!std::binary_search(boxes.backed.begin(), boxes.backed.end(), surface)) append(surface, false);
+  if (surface != noSurface && !std::binary_search(boxes.backed.begin(), boxes.backed.end(), surface))
+    append(surface, false);
   const auto ownEnd = static_cast<std::ptrdiff_t>(skipped.size());
   for (const std::uint32_t backed : boxes.backed) append(backed, true);
   std::inplace_merge(skipped.begin(), skipped.begin() + ownEnd, skipped.end());

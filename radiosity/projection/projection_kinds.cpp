@@ -1,28 +1,32 @@
 #include "radiosity/projection/projection_kinds.h"
 
+#include <algorithm>
 #include <array>
 #include <cassert>
 #include <cmath>
 #include <numbers>
 #include <numeric>
 
+#include "raster/base/parallel.h"
+
 namespace hemitex::radiosity {
 namespace {
 
 using std::numbers::pi;
 
-/// Gauss-Legendre nodes and weights of four points on [0, 1].
+/// Gauss-Legendre nodes and weights on [0, 1].
+template <std::size_t points>
 struct GaussRule {
-  std::array<double, 4> node, weight;
+  std::array<double, points> node, weight;
 };
 
-const GaussRule& gaussRule() {
-  static const GaussRule rule = [] {
+const GaussRule<4>& gaussRule() {
+  static const GaussRule<4> rule = [] {
     const double root = std::sqrt(6.0 / 5.0);
     const double inner = std::sqrt((3 - 2 * root) / 7), outer = std::sqrt((3 + 2 * root) / 7);
     const double innerWeight = (18 + std::sqrt(30.0)) / 72, outerWeight = (18 - std::sqrt(30.0)) / 72;
-    return GaussRule{{(1 - outer) / 2, (1 - inner) / 2, (1 + inner) / 2, (1 + outer) / 2},
-                     {outerWeight, innerWeight, innerWeight, outerWeight}};
+    return GaussRule<4>{{(1 - outer) / 2, (1 - inner) / 2, (1 + inner) / 2, (1 + outer) / 2},
+                        {outerWeight, innerWeight, innerWeight, outerWeight}};
   }();
   return rule;
 }
@@ -46,13 +50,13 @@ struct PixelGrid {
 };
 
 /// The integral over a pixel.
-template <typename Density>
-double pixelIntegral(const PixelGrid& grid, int column, int row, const Density& density) {
-  const GaussRule& rule = gaussRule();
+template <std::size_t points = 4, typename Density>
+double pixelIntegral(const PixelGrid& grid, int column, int row, const Density& density,
+                     const GaussRule<points>& rule = gaussRule()) {
   double sum = 0;
   for (int part = 0; part < grid.parts * grid.parts; ++part)
-    for (std::size_t i = 0; i < 4; ++i)
-      for (std::size_t j = 0; j < 4; ++j) {
+    for (std::size_t i = 0; i < points; ++i)
+      for (std::size_t j = 0; j < points; ++j) {
         const double x = (column * grid.parts + part % grid.parts + rule.node[i]) * grid.width;
         const double y = (row * grid.parts + part / grid.parts + rule.node[j]) * grid.width;
         sum += rule.weight[i] * rule.weight[j] * density(x, y);
@@ -70,7 +74,7 @@ double triangleIntegral(const glm::dvec2& a, const glm::dvec2& b, const glm::dve
            triangleIntegral(r, q, c, density) + triangleIntegral(q, r, p, density);
   }
   // Points a + s (ab + t bc) with s and t from 0 to 1 fill the triangle with a density of s times its doubled area.
-  const GaussRule& rule = gaussRule();
+  const GaussRule<4>& rule = gaussRule();
   double sum = 0;
   for (std::size_t i = 0; i < 4; ++i)
     for (std::size_t j = 0; j < 4; ++j) {
@@ -200,6 +204,52 @@ std::vector<std::uint64_t> wholeFace(const HalfFace& half, int resolution) {
   return shares;
 }
 
+/// One face along +z, `halfWidth` wide to each side at distance 1.
+std::vector<ProjectionFace> planeFace(int resolution, double halfWidth) {
+  return {{{1 / halfWidth, 0, 0}, {0, 1 / halfWidth, 0}, {0, 0, 1}, resolution, {0, 0, resolution, resolution}, 0}};
+}
+
+/// All faces of a cube around a point: those of a hemicube, its sides in full, and the bottom.
+std::vector<ProjectionFace> cubeFaces(int resolution) {
+  std::vector<ProjectionFace> faces = hemicubeFaces(resolution);
+  const ProjectionFace& top = faces.front();
+  faces.push_back({top.y, top.x, -top.w, resolution, top.scissor, 0});
+  for (ProjectionFace& face : faces) face.scissor = top.scissor;
+  return faces;
+}
+
+/// The intensity of a lamp over its full one.
+double intensityAt(const LampCone& cone, double cosine) {
+  const double ramp = std::clamp((cosine - cone.outerCosine) / (cone.innerCosine - cone.outerCosine), 0.0, 1.0);
+  return ramp * ramp;
+}
+
+/// The shares of a lamp through the pixels of a face, as real numbers, row-major. Per area of the plane at distance 1,
+/// solid angle is 1/s^3 with s the distance. Faces of lamps have many pixels, for which two by two points are enough.
+std::vector<double> lampShares(const ProjectionFace& face, double halfWidth, const std::optional<LampCone>& cone) {
+  const auto side = static_cast<std::size_t>(face.resolution);
+  const PixelGrid grid(face.resolution, 2 * halfWidth);
+  const glm::dvec3 right = halfWidth * face.x, up = halfWidth * face.y;
+  const double whole = fullSolidAngle(cone);
+  const auto density = [&](double x, double y) {
+    const glm::dvec3 direction = (x - halfWidth) * right + (y - halfWidth) * up + face.w;
+    const double s2 = glm::dot(direction, direction), s = std::sqrt(s2);
+    return (cone ? intensityAt(*cone, glm::dot(direction, cone->axis) / s) : 1) / (s2 * s * whole);
+  };
+  const double apart = std::sqrt(1.0 / 12);
+  const GaussRule<2> two{{0.5 - apart, 0.5 + apart}, {0.5, 0.5}};
+  const bool isFine = grid.parts * grid.width < widestPart / 4;
+  std::vector<double> shares(side * side);
+  raster::parallelFor(side, [&](std::size_t row) {
+    for (std::size_t column = 0; column < side; ++column) {
+      const int c = static_cast<int>(column), r = static_cast<int>(row);
+      shares[row * side + column] =
+          isFine ? pixelIntegral(grid, c, r, density, two) : pixelIntegral(grid, c, r, density);
+    }
+  });
+  return shares;
+}
+
 }  // namespace
 
 std::vector<ProjectionFace> hemicubeFaces(int resolution) {
@@ -236,10 +286,11 @@ Projection singlePlane(int resolution, double halfWidth) {
   assert(halfWidth > 0 && halfWidth <= 64);
   const int half = resolution / 2;
   const std::vector<std::uint64_t> quadrant = pixelShares(half, halfWidth, planeDensity);
-  const ProjectionFace face{
-      {1 / halfWidth, 0, 0}, {0, 1 / halfWidth, 0}, {0, 0, 1}, resolution, {0, 0, resolution, resolution}, 0};
   const std::uint64_t captured = 4 * std::accumulate(quadrant.begin(), quadrant.end(), std::uint64_t{0});
-  return {{face}, {runningSums(mirroredQuadrant(quadrant, half))}, captured, 1 + 2 * halfWidth * halfWidth};
+  return {planeFace(resolution, halfWidth),
+          {runningSums(mirroredQuadrant(quadrant, half))},
+          captured,
+          1 + 2 * halfWidth * halfWidth};
 }
 
 std::vector<ProjectionFace> cubicTetrahedronFaces(int resolution) {
@@ -274,6 +325,36 @@ Projection cubicTetrahedron(int resolution) {
           {runningSums(first), runningSums(others)},
           wholeShare,
           tetrahedronSquaredReach};
+}
+
+double fullSolidAngle(const std::optional<LampCone>& cone) {
+  if (!cone) return 4 * pi;
+  return 2 * pi * (1 - cone->innerCosine + (cone->innerCosine - cone->outerCosine) / 3);
+}
+
+Projection lampProjection(int resolution, const std::optional<LampCone>& cone, double halfWidth, bool holdsAll) {
+  const bool isCube = halfWidth > widestLampFace;
+  Projection projection;
+  projection.faces = isCube ? cubeFaces(resolution) : planeFace(resolution, halfWidth);
+  projection.squaredReach = isCube ? hemicubeSquaredReach : 1 + 2 * halfWidth * halfWidth;
+  std::vector<std::vector<double>> shares;
+  for (ProjectionFace& face : projection.faces) {
+    if (shares.empty() || cone) shares.push_back(lampShares(face, isCube ? 1 : halfWidth, cone));
+    face.shares = shares.size() - 1;
+  }
+  double sum = 0;
+  for (const ProjectionFace& face : projection.faces)
+    sum = std::accumulate(shares[face.shares].begin(), shares[face.shares].end(), sum);
+  const double most = 1 - 0x1p-40, scale = holdsAll || sum > most ? most / sum : 1;
+  for (const std::vector<double>& ofFace : shares) {
+    std::vector<std::uint64_t> rounded;
+    for (const double share : ofFace) rounded.push_back(toShare(scale * share));
+    projection.sharesBefore.push_back(runningSums(rounded));
+  }
+  projection.captured = 0;
+  for (const ProjectionFace& face : projection.faces)
+    projection.captured += projection.sharesBefore[face.shares].back();
+  return projection;
 }
 
 std::vector<std::pair<std::string, ProjectionKind>> namedProjections() {

@@ -1,11 +1,14 @@
 /// The kinds of projections, and their delta form factors: integrals over the solid angle of each pixel.
 #pragma once
 
+#include <limits>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "radiosity/projection/projection.h"
+#include "radiosity/scene/scene.h"
 
 namespace hemitex::radiosity {
 
@@ -87,5 +90,19 @@ Projection cubicTetrahedron(int resolution);
 /// projection's up direction. The frustum is off-axis, so that the rows x, y, w are not orthogonal; all determinants
 /// are equal and above 0.
 std::vector<ProjectionFace> cubicTetrahedronFaces(int resolution);
+
+/// The solid angle that would have all flux of a lamp at its full intensity, 4 pi without a cone.
+double fullSolidAngle(const std::optional<LampCone>& cone);
+
+/// Wider faces of a lamp become a cube, which sees more with the same pixels.
+inline constexpr double widestLampFace = 2;
+
+/// The projection of a lamp that is a point. Its shares are those of the flux of the lamp: the integral of the
+/// intensity over the solid angle of each pixel, over that of all directions. The axis of the cone is in the axes of
+/// the projection. Up to widestLampFace there is one face along +z, `halfWidth` wide to each side at a distance of 1;
+/// else six, a hemicube with its mirror image. `holdsAll`: no light passes beside the face, so that the shares sum to 1
+/// less 2^-40, which rounding needs.
+Projection lampProjection(int resolution, const std::optional<LampCone>& cone,
+                          double halfWidth = std::numeric_limits<double>::infinity(), bool holdsAll = true);
 
 }  // namespace hemitex::radiosity

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <utility>
 
+#include "radiosity/base/unique_names.h"
 #include "radiosity/gltf/gltf_module.h"
 #include "radiosity/images/image.h"
 #include "radiosity/scene/mtl_file.h"
@@ -193,6 +194,14 @@ std::set<std::string> colouredMaterials(const PolygonMesh& mesh) {
   return names;
 }
 
+/// A ramp of the intensity of less than a thousandth in the cosine becomes one of that, as the specification says.
+LampCone coneOf(const ImportedLight& light) {
+  constexpr double narrowestRamp = 0.001;
+  const double outer = std::max(std::cos(light.outerAngle), 0.0);
+  return {light.direction, outer + std::max(std::cos(light.innerAngle) - outer, std::min(narrowestRamp, 1 - outer)),
+          outer};
+}
+
 }  // namespace
 
 GltfFile readGltf(const std::filesystem::path& file) {
@@ -201,7 +210,12 @@ GltfFile readGltf(const std::filesystem::path& file) {
   for (const ImportedPart& part : imported.parts)
     builder.add(part,
                 part.material ? imported.materials[static_cast<std::size_t>(*part.material)].name : std::string());
-  GltfFile gltf{std::move(builder).mesh(), std::move(imported.materials), std::move(imported.images), {}, {}};
+  GltfFile gltf{std::move(builder).mesh(),
+                std::move(imported.materials),
+                std::move(imported.images),
+                std::move(imported.lights),
+                {},
+                {}};
   for (ImportedNode& node : imported.nodes) gltf.mesh.objects.push_back({std::move(node.name), node.parent});
   gltf.mesh.warnings = std::move(imported.warnings);
   gltf.files.assign(imported.files.begin(), imported.files.end());
@@ -230,6 +244,23 @@ MaterialSet gltfMaterials(const std::vector<std::string>& names, const GltfFile&
     }
   }
   return set;
+}
+
+void addLights(Scene& scene, const std::vector<ImportedLight>& lights, const std::filesystem::path& file,
+               const SceneSettings& settings) {
+  UniqueNames names;
+  for (const ImportedLight& light : lights) {
+    const glm::dvec3 value = light.intensity / settings.lumensPerWatt;
+    if (largestBand(value) > largestEmission)
+      throw InputError(file.string(), 0, "the light `" + raster::excerpt(light.name) + "` is above 1e30 W/sr or W/m^2",
+                       "scale it down");
+    if (light.kind == ImportedLight::Kind::Directional)
+      scene.outside.suns.push_back({-light.direction, value});
+    else
+      scene.lamps.push_back({names.add(light.name), light.position, value,
+                             light.kind == ImportedLight::Kind::Spot ? std::optional(coneOf(light)) : std::nullopt});
+    ++scene.photometricLights;
+  }
 }
 
 }  // namespace hemitex::radiosity

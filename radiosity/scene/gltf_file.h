@@ -7,7 +7,8 @@
 /// - The emission is the emissive factor times KHR_materials_emissive_strength times the emissive texture. glTF states
 ///   a luminance in nits. Its number is read as Ke of an MTL file is: as radiosity, or as radiance where the settings
 ///   say so.
-/// - Point, spot and directional lights are left out with a warning.
+/// - Point and spot lights (KHR_lights_punctual) are lamps, directional ones suns. Their candela and lux are divided by
+///   SceneSettings::lumensPerWatt.
 #pragma once
 
 #include <filesystem>
@@ -26,6 +27,7 @@ struct GltfFile {
   PolygonMesh mesh;  ///< all triangles
   std::vector<ImportedMaterial> materials;
   std::vector<ImportedImage> images;
+  std::vector<ImportedLight> lights;
   std::optional<SceneCamera> camera;
   std::vector<std::filesystem::path> files;  ///< buffers and images that were read
 };
@@ -39,5 +41,10 @@ GltfFile readGltf(const std::filesystem::path& file);
 /// Values are made valid as by findMaterials. Throws InputError for an emission above 1e30.
 MaterialSet gltfMaterials(const std::vector<std::string>& names, const GltfFile& gltf,
                           const std::filesystem::path& file, const SceneSettings& settings);
+
+/// Adds the lamps and suns of a file to a scene. A lamp has the name of its node, with `~2`, ... where it is repeated.
+/// Throws InputError for an intensity above 1e30.
+void addLights(Scene& scene, const std::vector<ImportedLight>& lights, const std::filesystem::path& file,
+               const SceneSettings& settings);
 
 }  // namespace hemitex::radiosity

@@ -287,6 +287,13 @@ double brightestEmission(const Scene& scene) {
   return brightest;
 }
 
+/// The largest emission, irradiance from outside, or intensity of a lamp in any band.
+double brightestLight(const Scene& scene) {
+  double largest = std::max(brightestEmission(scene), brightest(scene.outside));
+  for (const Lamp& lamp : scene.lamps) largest = std::max(largest, largestBand(lamp.intensity));
+  return largest;
+}
+
 /// The scene has no face with area. Throws InputError, which tells a scene without faces from one whose faces are too
 /// small for the rounding of its coordinates.
 [[noreturn]] void failEmpty(const PolygonMesh& mesh, const std::filesystem::path& file) {
@@ -419,6 +426,7 @@ Scene loadScene(const std::filesystem::path& file, const SceneSettings& settings
     };
     Scene scene = makeScene(gltf.mesh, materials, file, settings);
     scene.camera = gltf.camera;
+    addLights(scene, gltf.lights, file, settings);
     scene.up = 1;
     scene.files.insert(scene.files.begin(), file);
     return scene;
@@ -440,10 +448,10 @@ PolygonMesh readFaces(const std::filesystem::path& file) {
 
 bool isPlainMesh(const std::filesystem::path& file) { return meshFormatOf(file) != nullptr; }
 
-bool emitsLight(const Scene& scene) { return brightestEmission(scene) > 0 || brightest(scene.outside) > 0; }
+bool emitsLight(const Scene& scene) { return brightestLight(scene) > 0; }
 
 void requireEmission(const Scene& scene, const std::filesystem::path& file) {
-  const double largest = std::max(brightestEmission(scene), brightest(scene.outside));
+  const double largest = brightestLight(scene);
   if (largest == 0)
     fail({file}, "nothing in the scene emits light", "give a material an emission (Ke in the MTL file)");
   if (largest < smallestEmission) fail({file}, "nothing in the scene emits 1e-30 or more", "scale the light up");

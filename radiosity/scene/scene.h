@@ -23,6 +23,8 @@
 
 namespace hemitex::radiosity {
 
+inline double largestBand(const glm::dvec3& bands) { return glm::max(glm::max(bands.r, bands.g), bands.b); }
+
 /// Parallel light.
 struct Sun {
   glm::dvec3 towards{0.0};     ///< unit vector from the scene to the sun
@@ -39,11 +41,25 @@ struct OutsideLight {
 
 /// The largest irradiance of the sky and the suns in any band.
 inline double brightest(const OutsideLight& light) {
-  const auto largest = [](const glm::dvec3& bands) { return glm::max(glm::max(bands.r, bands.g), bands.b); };
-  double result = largest(light.sky);
-  for (const Sun& sun : light.suns) result = glm::max(result, largest(sun.irradiance));
+  double result = largestBand(light.sky);
+  for (const Sun& sun : light.suns) result = glm::max(result, largestBand(sun.irradiance));
   return result;
 }
+
+/// The directions into which a spot shines. Its intensity is full up to the inner angle and 0 from the outer one on.
+/// Between them it is the square of a linear function of the cosine, as KHR_lights_punctual recommends.
+struct LampCone {
+  glm::dvec3 axis{0.0, 0.0, -1.0};            ///< unit vector away from the lamp
+  double innerCosine = 1, outerCosine = 0.5;  ///< of the angles to the axis, 0 <= outer < inner <= 1
+};
+
+/// A lamp that is a point.
+struct Lamp {
+  std::string name;                   ///< for edits and for messages
+  glm::dvec3 position{0.0};           ///< in units of the file
+  glm::dvec3 intensity{0.0};          ///< radiant, W/sr per RGB band, >= 0; of a spot along its axis
+  std::optional<LampCone> cone = {};  ///< without it the lamp shines equally in all directions
+};
 
 struct Material {
   std::string name;
@@ -118,7 +134,10 @@ struct Scene {
   std::vector<Instance> instances = {Instance()};
   std::size_t faces = 0;                   ///< of the file, with those that were dropped
   std::optional<int> up = {};              ///< the axis that points up, if the file states it: 1, y, in glTF
-  OutsideLight outside = {};               ///< not part of the file
+  OutsideLight outside = {};               ///< of a file only the suns
+  std::vector<Lamp> lamps = {};
+  int photometricLights = 0;               ///< lamps and suns that the file states in candela and lux
+  double squareMetres = 1;                 ///< of a square unit, by which W/sr become W/m^2 at a distance in units
   std::vector<std::string> warnings;       ///< one sentence each, for the user
   std::optional<SceneCamera> camera = {};  ///< OBJ files have none
   /// The parts of closed shells that other faces cover, which no surface has.

@@ -52,23 +52,30 @@ std::vector<std::uint32_t> findOrFail(const std::vector<Surface>& surfaces, cons
                    families.empty() ? "nothing was removed so far" : "similar names: " + nearestNames(families, name));
 }
 
-/// As findOrFail. A name of no surface or family may be that of a group with several materials, of parts, or of a
+const std::string& materialOf(const Scene& scene, const Surface& surface) {
+  return scene.materials[static_cast<std::size_t>(surface.material)].name;
+}
+
+/// As findNamed. A name of no surface or family may be that of a group with several materials, of parts, or of a
 /// material.
 std::vector<std::uint32_t> findByMaterial(const Scene& scene, const std::string& name) {
-  const auto materialOf = [&](const Surface& surface) -> const std::string& {
-    return scene.materials[static_cast<std::size_t>(surface.material)].name;
-  };
   std::vector<std::uint32_t> found = findNamed(scene.surfaces, name);
   if (found.empty())
     found = find(scene.surfaces, [&](const Surface& surface) {
-      return surface.family.starts_with(name + "/" + materialOf(surface)) || matches(surface.name, name);
+      return surface.family.starts_with(name + "/" + materialOf(scene, surface)) || matches(surface.name, name);
     });
   if (found.empty())
-    found = find(scene.surfaces, [&](const Surface& surface) { return matches(materialOf(surface), name); });
+    found = find(scene.surfaces, [&](const Surface& surface) { return matches(materialOf(scene, surface), name); });
+  return found;
+}
+
+std::vector<std::uint32_t> findByMaterialOrFail(const Scene& scene, const std::string& name) {
+  std::vector<std::uint32_t> found = findByMaterial(scene, name);
   if (!found.empty()) return found;
   refuseHidden(scene, name);
   std::set<std::string> names;
-  for (const Surface& surface : scene.surfaces) names.insert({surface.family, materialOf(surface)});
+  for (const Surface& surface : scene.surfaces) names.insert({surface.family, materialOf(scene, surface)});
+  for (const Lamp& lamp : scene.lamps) names.insert(lamp.name);
   throw InputError("no surface, group or material of the scene is named `" + raster::excerpt(name) + "`",
                    "similar names: " + nearestNames(names, name));
 }
@@ -103,6 +110,9 @@ class Editor {
   }
 
   void apply(const Move& edit) {
+    if (findNamed(scene_.surfaces, edit.name).empty() &&
+        changeLamps(edit.name, [&](Lamp& lamp) { lamp.position += edit.by; }))
+      return;
     const std::vector<std::uint32_t> moved = withTwins(scene_.surfaces, named(edit.name));
     requireWhole(moved);
     for (const std::uint32_t s : moved) {
@@ -145,6 +155,15 @@ class Editor {
       if (material.emissionMap) *material.emissionMap += firstImage;
       scene_.materials.push_back(std::move(material));
     }
+    UniqueNames lampNames;
+    for (const Lamp& lamp : scene_.lamps) lampNames.take(lamp.name);
+    for (Lamp& lamp : added.lamps) {
+      lamp.name = lampNames.add(lamp.name);
+      lamp.position += edit.by;
+      scene_.lamps.push_back(std::move(lamp));
+    }
+    scene_.outside.suns.insert(scene_.outside.suns.end(), added.outside.suns.begin(), added.outside.suns.end());
+    scene_.photometricLights += added.photometricLights;
     std::move(added.images.begin(), added.images.end(), std::back_inserter(scene_.images));
     std::move(added.warnings.begin(), added.warnings.end(), std::back_inserter(scene_.warnings));
     std::move(added.files.begin(), added.files.end(), std::back_inserter(scene_.files));
@@ -165,11 +184,15 @@ class Editor {
   }
 
   void apply(const SetEmission& edit) {
+    const glm::dvec3 radiosity = edit.radiosityPerUnit * edit.to;
     requireAll(
-        edit.to, [](double value) { return value >= 0 && value <= largestEmission; },
+        radiosity, [](double value) { return value >= 0 && value <= largestEmission; },
         "the emission of `" + raster::excerpt(edit.name) + "` is below 0 or above 1e30 W/m^2");
+    if (findByMaterial(scene_, edit.name).empty() &&
+        changeLamps(edit.name, [&](Lamp& lamp) { lamp.intensity = edit.to; }))
+      return;
     setMaterial(edit.name, [&](Material& material) {
-      material.emission = edit.to;
+      material.emission = radiosity;
       material.emissionSpectrum.reset();
     });
   }
@@ -191,6 +214,18 @@ class Editor {
   }
 
  private:
+  /// Whether lamps have the name; changes them.
+  template <typename Change>
+  bool changeLamps(const std::string& name, const Change& change) {
+    bool isFound = false;
+    for (Lamp& lamp : scene_.lamps) {
+      if (!matches(lamp.name, name)) continue;
+      change(lamp);
+      isFound = true;
+    }
+    return isFound;
+  }
+
   std::vector<std::uint32_t> named(const std::string& name) const {
     return findOrFail(scene_.surfaces, name, "of the scene");
   }
@@ -247,7 +282,7 @@ class Editor {
   template <typename Change>
   void setMaterial(const std::string& name, const Change& change) {
     std::map<int, int> changed;
-    for (const std::uint32_t s : findByMaterial(scene_, name)) {
+    for (const std::uint32_t s : findByMaterialOrFail(scene_, name)) {
       int& material = scene_.surfaces[s].material;
       const auto [copy, isNew] = changed.try_emplace(material, static_cast<int>(scene_.materials.size()));
       if (isNew) {

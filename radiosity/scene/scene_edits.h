@@ -18,7 +18,8 @@
 namespace hemitex::radiosity {
 
 // A name is that of a surface, or of a family, which means all its parts. A name that ends with `*` means all families
-// with that prefix. In two-sided scenes surfaces move, go and come with their other sides.
+// with that prefix. In two-sided scenes surfaces move, go and come with their other sides. Where no surface has the
+// name, Move and SetEmission mean lamps that are points.
 struct Move {
   std::string name;
   glm::dvec3 by;  ///< in units of the file
@@ -30,7 +31,7 @@ struct Remove {
 struct Restore {
   std::string name;
 };
-/// Adds the objects of an OBJ file. Names that exist get `~2`, `~3`, ...
+/// Adds the objects of a file, with its lamps and suns. Names that exist get `~2`, `~3`, ...
 struct Add {
   std::filesystem::path file;
   SceneSettings settings = {};
@@ -42,7 +43,8 @@ struct Add {
 /// scenes the back of a surface has a name of its own.
 struct SetEmission {
   std::string name;
-  glm::dvec3 to;  ///< radiosity, W/m^2 per band, 0 to largestEmission (mtl_file.h)
+  glm::dvec3 to;                ///< 0 or more per band; of a lamp the intensity in W/sr
+  double radiosityPerUnit = 1;  ///< by which `to` becomes a radiosity in W/m^2, at most largestEmission (mtl_file.h)
 };
 struct SetReflectance {
   std::string name;

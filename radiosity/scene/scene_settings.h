@@ -43,6 +43,9 @@ struct SceneSettings {
   /// Each face of the file is a surface, named by its number (see divideIntoFacets). Needs one-sided surfaces.
   bool facets = false;
   EmissionUnit emission = EmissionUnit::Radiosity;  ///< unit of Ke
+  /// By which the candela and lux of a file are divided. In each band: that of green light of 555 nm, which Blender
+  /// multiplies W with when it writes a file.
+  double lumensPerWatt = 683;
   /// The cell data of a VTK file that are the reflectance and the emission of its faces; empty: none.
   std::string cellReflectance = {}, cellEmission = {};
   Symmetry symmetry = {};

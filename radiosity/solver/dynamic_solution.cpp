@@ -202,6 +202,10 @@ class LightUpdate {
     for (std::size_t e = 0; e < light.outside.received.size(); ++e)
       addTo(light_.received[numbers_.element[e]], light.outside.received[e], -1);
     for (std::size_t e = 0; e < outside.received.size(); ++e) addTo(light_.received[e], outside.received[e]);
+    addTo(light_.lost, light.outside.lost, -1);
+    addTo(light_.lost, outside.lost);
+    addTo(light_.lostToBacks, light.outside.lostToBacks, -1);
+    addTo(light_.lostToBacks, outside.lostToBacks);
     light_.outside = std::move(outside);
   }
 

@@ -95,10 +95,11 @@ constexpr double unitsOfFlux = 256;
 
 /// The flux of a patch of weight 1, of which light from outside counts as outsideShare.
 double unitFluxOf(const ShotLight& light) {
-  return (light.lastEmitted - (1 - outsideShare) * bandSum(sumOf(light.outside))) / unitsOfFlux;
+  const double fromOutside = bandSum(sumOf(light.outside)) - bandSum(light.outside.fromLamps);
+  return (light.lastEmitted - (1 - outsideShare) * fromOutside) / unitsOfFlux;
 }
 
-/// Of the residual of the settings: at this share a solution ends whatever is seen, because no light may reach it.
+/// Of the residual of the settings: at this share a solution ends if no light came to what is seen.
 constexpr double smallestResidual = 0.001;
 
 /// Shoots until a limit of the settings is reached, after the shots and splits of `past`. Adds what backs absorb of
@@ -117,7 +118,9 @@ Solution shoot(const SolveInput& input, ShootingState& state, RowCache& rows, Ba
     if (solution.residual > settings.residual) return false;
     // Counting costs time: without scout rows it begins here.
     if (!std::exchange(countsSeen, true)) state.setSeen(seen.surfaces);
-    return state.seenResidual() <= seen.residual || solution.residual <= smallestResidual * settings.residual;
+    const double residual = state.seenResidual();
+    return residual <= seen.residual ||
+           (std::isinf(residual) && solution.residual <= smallestResidual * settings.residual);
   };
   std::vector<SplitCall> splits = past.splits;
   const auto snapshot = [&] { return Snapshot{solution.shots, splits, absorbedByBacks, state.saved()}; };

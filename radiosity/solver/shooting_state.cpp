@@ -187,6 +187,8 @@ Receipt receive(const Part& part, std::span<const double, bands> shot, const For
 ShotLight nothingShot(const Patches& patches, std::size_t bands, OutsideFlux outside) {
   ShotLight light{BandTable(patches.list.size(), bands), outside.received, Bands(bands), Bands(bands)};
   if (outside.received.empty()) light.received = BandTable(patches.ofElement.size(), bands);
+  addTo(light.lost, outside.lost);
+  addTo(light.lostToBacks, outside.lostToBacks);
   light.outside = std::move(outside);
   return light;
 }

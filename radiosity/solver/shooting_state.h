@@ -2,11 +2,11 @@
 /// area.
 ///
 /// Let T_p be the flux that patch p has shot along its row, and S_e the flux that element e receives from outside the
-/// scene. Element e received I_e = S_e + sum_p F_pe T_p and sends out E_e + rho_e I_e. The part of a patch's outgoing
-/// flux that T_p does not include yet is unshot. This holds whatever was shot. So a solution can be continued after a
-/// change of emission, reflectances or rows: the same sums with the new E, rho and F give the new unshot flux. It is
-/// negative where the change removed light, and shooting negative flux retracts the excess (Chen 1990, George, Sillion
-/// and Greenberg 1990).
+/// scene and from lamps that are points. Element e received I_e = S_e + sum_p F_pe T_p and sends out E_e + rho_e I_e.
+/// The part of a patch's outgoing flux that T_p does not include yet is unshot. This holds whatever was shot. So a
+/// solution can be continued after a change of emission, reflectances or rows: the same sums with the new E, rho and F
+/// give the new unshot flux. It is negative where the change removed light, and shooting negative flux retracts the
+/// excess (Chen 1990, George, Sillion and Greenberg 1990).
 ///
 /// A patch shoots the sum of its elements' unshot flux along one row, so that only this sum matters. The residual is
 /// the sum of the absolute values of these sums over patches. It bounds the error, because unshot flux of either sign
@@ -36,7 +36,7 @@ namespace hemitex::radiosity {
 
 /// Flux in W per band. emitted = absorbed + unshot + lost.
 struct Energy {
-  Bands emitted;  ///< by elements, and what elements receive from outside
+  Bands emitted;  ///< by elements and lamps, and what elements receive from outside
   Bands absorbed;
   Bands unshot;       ///< signed: flux to be retracted lowers it
   Bands lost;         ///< left the scene or was absorbed by backs
@@ -53,7 +53,7 @@ struct ShotLight {
   /// Upper bound of stale flux, bands summed: it was shot along rows that were not updated. Part of the residual.
   double stale = 0;
   double lastEmitted = 0;    ///< bands summed: the reference of the residual when nothing is emitted
-  OutsideFlux outside = {};  ///< included in `received`
+  OutsideFlux outside = {};  ///< included in `received`, `lost` and `lostToBacks`
 };
 
 /// A state between two shots, with the rounding errors of its sums. Light from outside and stale flux are computed
@@ -70,7 +70,7 @@ ShotLight nothingShot(const Patches& patches, std::size_t bands, OutsideFlux out
 
 class ShootingState {
  public:
-  /// Continues from light whose account is balanced: sum of `shot` + sum of `outside` = sum of `received` + `lost`. The
+  /// Continues from light whose account is balanced: sum of `shot` + sumOf(`outside`) = sum of `received` + `lost`. The
   /// patches are those of the discretization, perhaps split; `discretization.patches` are not used. The references must
   /// outlive this object.
   ShootingState(const Scene& scene, const Discretization& discretization, Patches patches, ShotLight light);

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "radiosity/discretization/discretize.h"
-#include "radiosity/discretization/patch_points.h"
 #include "radiosity/form_factors/scene_form_factors.h"
 #include "raster/base/input_error.h"
 #include "raster/base/parallel.h"
@@ -64,11 +63,15 @@ void addRow(std::vector<Entry>& mean, const radiosity::FormFactorRow& row, const
   }
 }
 
-/// The row of an element, from its centre, or of surfaces, averaged over their patches.
+/// The row of a point, of an element, from its centre, or of surfaces, averaged over their patches.
 SparseRow meanRow(const radiosity::Scene& scene, const radiosity::Discretization& discretization,
                   const PatchNumbers& ofSurfaces, radiosity::SceneFormFactors& drawn, const Source& source,
                   const RowReceivers& receivers) {
   std::vector<Entry> mean;
+  if (source.surfaces.empty()) {
+    addRow(mean, drawn.uncorrected().from(radiosity::noSurface, source.point), receivers, 1.0);
+    return sumOf(std::move(mean), false);
+  }
   if (source.element) {
     const auto centre = radiosity::elementCentre(scene, discretization, *source.element);
     addRow(mean, drawn.uncorrected().from(source.surfaces.front(), centre), receivers, 1.0);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "radiosity/discretization/discretization.h"
+#include "radiosity/discretization/patch_points.h"
 #include "radiosity/form_factors/scene_form_factors.h"
 #include "radiosity/index_maps/id_layout.h"
 #include "radiosity/scene/scene.h"
@@ -17,10 +18,11 @@
 
 namespace hemitex::reference {
 
-/// The source of form factors: whole surfaces, or one texel of a surface.
+/// The source of form factors: whole surfaces, one texel of a surface, or a point with a normal.
 struct Source {
-  std::vector<std::uint32_t> surfaces;
+  std::vector<std::uint32_t> surfaces = {};   ///< none for a point
   std::optional<std::uint32_t> element = {};  ///< the element of the texel; without it, the whole surfaces
+  radiosity::SurfacePoint point = {};         ///< without surfaces: the normal is a unit vector. It is only drawn
 };
 
 /// A texel of a surface. Throws InputError if no surface has the name, or it has several parts, or no such texel with

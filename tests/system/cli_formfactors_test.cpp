@@ -11,6 +11,7 @@
 #include "reference/base/hashes/sha256.h"
 #include "reference/matrices/matrix_files.h"
 #include "tests/support/shell.h"
+#include "tests/truth/rectangles.h"
 
 using namespace hemitex::tests;
 using Catch::Matchers::Contains;
@@ -460,4 +461,50 @@ TEST_CASE("hemitex formfactors warns of rows of which backs take more than 1 %",
     CHECK_THAT(shell.run("formfactors turned.obj " + command).err,
                Contains("backs of faces take more than 1 % of a row, most of the row of floor: 19.9"));
   }
+}
+
+TEST_CASE("hemitex formfactors --at gives the rows of points and their sky view factors", "[cli]") {
+  const Shell shell;
+  writeAll(shell.file("awning.obj"), "v -1 -1 1\nv 1 -1 1\nv 1 1 1\nv -1 1 1\ng awning\nf 4 3 2 1\n");
+  const double above = hemitex::tests::elementToParallelRectangle({{-1, 1}, {-1, 1}}, 1);
+  const std::string options = "formfactors awning.obj --one-sided --resolution 512 ";
+  const json row = json::parse(shell.output(options + "--at 0,0,0,0,0,2 --by-surface --json"));
+  CHECK(row["from"] == "0,0,0,0,0,2");
+  CHECK(row["row"][0]["form_factor"].get<double>() == Approx(above).epsilon(1e-3));
+  CHECK(row["background"].get<double>() == Approx(1 - above).epsilon(1e-3));
+  CHECK(row["back"] == 0.0);
+  CHECK(shell.run(options + "--at 0,0,0,0,0,1").err.find("leaves the scene is 0.4459") != std::string::npos);
+
+  // On the sheet itself, turned away from it, and from points of a file.
+  writeAll(shell.file("points.csv"), "x,y,z,nx,ny,nz\r\n0,0,1,0,0,1\r\n0,0,0.999,0,0,1\r\n\n0,0,0,0,0,-1\n");
+  const json rows = json::parse(shell.output(options + "--at points.csv --at 0,0,2,0,0,-1 --texels 2 --json"));
+  CHECK(rows["row"].size() == 4 * 4);
+  CHECK(rows["row"][5]["point"] == 2);
+  CHECK(rows["background"][0] == 1.0);
+  CHECK(rows["background"][1].get<double>() < 1e-4);
+  CHECK(rows["background"][2] == 1.0);
+  CHECK(rows["back"][3].get<double>() == Approx(above).epsilon(1e-3));
+  const auto lines = linesOf(shell.output(options + "--at points.csv --texels 1"));
+  CHECK(lines.at(0) == "point,surface,column,row,area,form_factor");
+  CHECK(lines.size() == 1 + 3);
+}
+
+TEST_CASE("hemitex formfactors refuses points that are none with exit code 2", "[cli]") {
+  const Shell shell;
+  writeAll(shell.file("faulty.csv"), "x,y,z,nx,ny,nz\n0,0,0,0,0,1\n0,0,0,0,0\n");
+  writeAll(shell.file("empty.csv"), "x,y,z,nx,ny,nz\n");
+  const auto [options, message] = GENERATE(table<std::string, std::string>({
+      {"--at 0,0,0,0,0,0", "no point and no file"},
+      {"--at 0,0,0", "no point and no file"},
+      {"--at missing.csv", "`missing.csv` is no point and no file"},
+      {"--at faulty.csv", "faulty.csv:3: `0,0,0,0,0` is no point"},
+      {"--at empty.csv", "has no point"},
+      {"--at 0,0,0,0,0,1 --from floor", "--from"},
+      {"--at 0,0,0,0,0,1 --all --by-surface", "--all"},
+      {"--at 0,0,0,0,0,1 --method rays", "needs a --method that draws"},
+  }));
+  const Outcome outcome = shell.run("formfactors room.obj " + options);
+  INFO(options << '\n' << outcome.err);
+  CHECK(outcome.exitCode == 2);
+  CHECK(outcome.err.find(message) != std::string::npos);
 }

@@ -179,5 +179,5 @@ TEST_CASE("hemitex refuses wrong light from outside with exit code 2 and an advi
   CHECK(outcome.err.find(message) != std::string::npos);
   const Outcome tradeoff = shell.run("tradeoff room.obj -o out --sky 1,1,1");
   CHECK(tradeoff.exitCode == 2);
-  CHECK(tradeoff.err.find("omit --sky and --sun") != std::string::npos);
+  CHECK(tradeoff.err.find("omit --sky, --sun and --lamp") != std::string::npos);
 }

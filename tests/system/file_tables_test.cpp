@@ -6,10 +6,12 @@
 #include <functional>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <numbers>
 #include <set>
 
 #include "radiosity/discretization/discretize.h"
 #include "radiosity/images/image.h"
+#include "radiosity/projection/projection_kinds.h"
 #include "radiosity/scene/load_scene.h"
 #include "raster/base/file_io.h"
 #include "raster/base/input_error.h"
@@ -20,6 +22,7 @@
 using namespace hemitex;
 using namespace hemitex::radiosity;
 using nlohmann::json;
+using std::numbers::pi;
 using tests::base64;
 using tests::writeAll;
 
@@ -487,9 +490,14 @@ Rows gltfRows() {
         {"SCALE", cube.add(std::vector<float>{1, 1, 1}, 5126, "VEC3")}};
     cube.text["extensionsRequired"] = cube.text["extensionsUsed"] = {"EXT_mesh_gpu_instancing"};
   };
-  const auto lamps = [](Gltf& cube) {
-    cube.text["extensionsUsed"] = {"KHR_lights_punctual"};
-    cube.text["extensions"]["KHR_lights_punctual"]["lights"] = {{{"type", "point"}}};
+  const auto lamp = [](json light, const Expected& expected) {
+    return gltf(
+        [&](Gltf& cube) {
+          cube.text["extensionsUsed"] = {"KHR_lights_punctual"};
+          cube.text["extensions"]["KHR_lights_punctual"]["lights"] = {light};
+          cube.text["nodes"][0]["extensions"]["KHR_lights_punctual"]["light"] = 0;
+        },
+        expected);
   };
   const auto webp = [](Gltf& cube) {
     cube.text["images"] = {{{"uri", "t.png"}}};
@@ -614,7 +622,15 @@ Rows gltfRows() {
       {"`KHR_mesh_quantization`", {gltf(quantized, lit(2))}},
       {"`EXT_mesh_gpu_instancing`", {gltf(instanced, lit(2))}},
       {"`EXT_texture_webp`", {gltf(webp, lit(ofMean(quarter)), {{"t.png", halfBlack()}})}},
-      {"`KHR_lights_punctual`", {gltf(lamps, lit(2, {"lights"}))}},
+      {"`KHR_lights_punctual`: `point`, `spot`",
+       {lamp({{"type", "point"}, {"intensity", 683}, {"color", {1, 0.5, 0}}},
+             lit(2.0 + 4 * pi / 3 * glm::dvec3(1, 0.5, 0))),
+        lamp({{"type", "spot"}, {"intensity", 683 * 2}, {"spot", {{"outerConeAngle", pi / 2}}}},
+             lit(2 + 2 * 2 * pi / 3 / 3)),
+        lamp({{"type", "point"}, {"intensity", -1}}, refused("intensity")),
+        lamp({{"type", "tube"}}, refused("unknown type `tube`"))}},
+      {"`KHR_lights_punctual`: `directional`", {lamp({{"type", "directional"}, {"intensity", 683}}, lit(2))}},
+      {"`range` of a light", {lamp({{"type", "point"}, {"intensity", 0}, {"range", 3}}, lit(2, {"range"}))}},
       {"other extensions that the file requires",
        {extension("KHR_materials_volume", refused("KHR_materials_volume"), true),
         extension("KHR_materials_ior", refused("KHR_materials_ior"), true),
@@ -753,7 +769,7 @@ std::map<std::string, std::vector<std::string>> tablesOf(const std::string& page
   return tables;
 }
 
-/// The mean over area of what an element emits over what it absorbs; the area must be that of the cube.
+/// The mean over area of what elements and lamps emit over what elements absorb; the area must be that of the cube.
 glm::dvec3 lightOf(const Scene& scene) {
   const Discretization discretization = discretize(scene, {.texels = 4});
   glm::dvec3 emitted(0), reflected(0);
@@ -764,6 +780,7 @@ glm::dvec3 lightOf(const Scene& scene) {
     reflected += area * reflectance(scene, discretization, e);
     total += area;
   }
+  for (const Lamp& lamp : scene.lamps) emitted += fullSolidAngle(lamp.cone) * lamp.intensity;
   CHECK(total == Approx(6));
   return emitted / (total - reflected);
 }

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "radiosity/projection/parallel_view.h"
+#include "radiosity/projection/projection_kinds.h"
 #include "raster/base/input_error.h"
 #include "raster/base/parallel.h"
 #include "reference/truth/closed_forms/surface_pieces.h"
@@ -71,14 +72,15 @@ std::vector<Place> placesOf(const radiosity::Scene& scene) {
   return places;
 }
 
-/// An element that emits, or the sky.
+/// An element that emits, a lamp that is a point, or the sky.
 struct Light {
-  std::optional<RaySource> raySource;  ///< none for the sky
+  std::optional<RaySource> raySource;  ///< of an element
+  const radiosity::Lamp* lamp;         ///< null for others
   glm::dvec3 power;  ///< flux of a path that starts here, W; all paths together carry the emitted flux
   double upTo;       ///< cumulative share of the flux of the lights; the last is 1
 };
 
-/// Number of no triangle, for rays that start in the sky.
+/// Number of no triangle, for rays that start in the sky or at lamps.
 constexpr std::uint32_t noTriangle = ~0u;
 
 /// A sphere around the scene, in its frame.
@@ -139,13 +141,17 @@ class Tracer {
       const glm::dvec3 emission = radiosity::emission(scene_, discretization_, e);
       if (bandSum(emission) == 0) continue;
       sum += discretization_.elements[e].area * bandSum(emission);
-      lights_.push_back({areaRaySource(pieces_, std::array{e}), emission / bandSum(emission), sum});
+      lights_.push_back({areaRaySource(pieces_, std::array{e}), nullptr, emission / bandSum(emission), sum});
+    }
+    for (const radiosity::Lamp& lamp : scene_.lamps) {
+      sum += radiosity::fullSolidAngle(lamp.cone) * bandSum(lamp.intensity);
+      lights_.push_back({std::nullopt, &lamp, lamp.intensity / bandSum(lamp.intensity), sum});
     }
     if (const glm::dvec3& sky = scene_.outside.sky; bandSum(sky) > 0) {
       // A sphere around the scene that emits inwards: its radiosity is the irradiance of an open plane.
       const double radius = sky_.radius * scene_.extent;
       sum += 4 * pi * radius * radius * bandSum(sky);
-      lights_.push_back({std::nullopt, sky / bandSum(sky), sum});
+      lights_.push_back({std::nullopt, nullptr, sky / bandSum(sky), sum});
     }
     for (Light& light : lights_) {
       light.upTo /= sum;
@@ -176,9 +182,11 @@ class Tracer {
   }
 
   void trace(const SamplePoint& sample, Random& random, ElementFlux& arrived) const {
-    const glm::dvec3 power = lightAt(sample[0])->power;
+    const Light& light = *lightAt(sample[0]);
+    const glm::dvec3 power = light.power;
     ShootingPoint at = lightPoint(sample[0], sample[1]);
     glm::dvec3 direction = cosineDirection(at.normal, sample[2], sample[3]), share(1);
+    if (light.lamp) direction = lampDirection(*light.lamp, sample[2], sample[3], share);
     for (int bounce = 0; bounce < maxBounces; ++bounce) {
       const auto hit = cast(at, direction);
       if (!hit || !hit->front) return;
@@ -204,7 +212,23 @@ class Tracer {
     const auto light = lightAt(x);
     const double before = light == lights_.begin() ? 0 : std::prev(light)->upTo;
     const double place = (x - before) / (light->upTo - before);
+    if (light->lamp) return {(light->lamp->position - scene_.origin) / scene_.extent, glm::dvec3(0, 0, 1), noTriangle};
     return light->raySource ? shootingPoint(*light->raySource, place, y) : skyPoint(place, y);
+  }
+
+  /// Uniform over all directions, or over those of a cone. Multiplies `share` by the flux in this direction over that
+  /// of a uniform lamp.
+  static glm::dvec3 lampDirection(const radiosity::Lamp& lamp, double x, double y, glm::dvec3& share) {
+    const glm::dvec3 axis = lamp.cone ? lamp.cone->axis : glm::dvec3(0, 0, 1);
+    const double least = lamp.cone ? lamp.cone->outerCosine : -1;
+    const double cosine = least + x * (1 - least), sine = std::sqrt(std::max(0.0, 1 - cosine * cosine));
+    if (lamp.cone) {
+      const double ramp = std::min((cosine - least) / (lamp.cone->innerCosine - least), 1.0);
+      share *= ramp * ramp * 2 * pi * (1 - least) / radiosity::fullSolidAngle(lamp.cone);
+    }
+    const glm::dvec3 across = std::abs(axis.x) < 0.5 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
+    const glm::dvec3 right = glm::normalize(glm::cross(across, axis)), up = glm::cross(axis, right);
+    return glm::normalize(cosine * axis + sine * (std::cos(2 * pi * y) * right + std::sin(2 * pi * y) * up));
   }
 
   /// Equal areas of a cylinder around the sphere map to equal areas of the sphere (Archimedes).
@@ -220,6 +244,11 @@ class Tracer {
     const double x = random.next(), y = random.next();
     const ShootingPoint light = lightPoint(x, y);
     const glm::dvec3 way = light.position - at.position;
+    if (lightAt(x)->lamp) {
+      const auto hit = cast(at, glm::normalize(way));
+      return glm::dot(way, at.normal) > 0 &&
+             (!hit || glm::distance(pointAt(*hit).position, at.position) > glm::length(way));
+    }
     if (light.triangle == at.triangle || !(glm::dot(way, at.normal) > 0) || !(glm::dot(way, light.normal) < 0))
       return false;
     const auto hit = cast(at, glm::normalize(way));

@@ -2,11 +2,12 @@
 /// independent of all other methods of this project.
 ///
 /// Paths start at the emitting elements, in proportion to flux, uniformly over each element and cosine-distributed.
-/// Those of a uniform sky (`scene.outside`; suns are ignored) start on a sphere around the scene. A surface whose front a path meets receives the flux of the path. A share of it, the reflectance per band, continues
-/// in another cosine-distributed direction. Paths end by Russian roulette. Backs of faces and the background absorb;
-/// backs with a twin let rays pass (see ray_caster.h). The error of an element's flux is proportional to the root of
-/// that flux. So the sum of all errors is a smaller share of the light than with the same number of rays gathered from
-/// each element.
+/// Those of a uniform sky (`scene.outside`; suns are ignored) start on a sphere around the scene, those of lamps that
+/// are points at these. A surface whose front a path meets receives the flux of the path. A share of it, the
+/// reflectance per band, continues in another cosine-distributed direction. Paths end by Russian roulette. Backs of
+/// faces and the background absorb; backs with a twin let rays pass (see ray_caster.h). The error of an element's flux
+/// is proportional to the root of that flux. So the sum of all errors is a smaller share of the light than with the
+/// same number of rays gathered from each element.
 ///
 /// Points distributed uniformly over an element measure its exposed area. A point is *buried* if a face of opposite
 /// direction lies on it. A second test uses 32 random walks, which all fronts reflect for up to 64 bounces. The point

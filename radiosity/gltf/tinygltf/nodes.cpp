@@ -194,7 +194,7 @@ MeshSize sizeOf(const tinygltf::Model& gltf, const tinygltf::Mesh& mesh) {
   return size;
 }
 
-/// Collects the meshes and the camera of the nodes of a scene.
+/// Collects the meshes, the camera and the lights of the nodes of a scene.
 class NodeReader {
  public:
   NodeReader(const tinygltf::Model& gltf, GltfImport& import)
@@ -220,6 +220,8 @@ class NodeReader {
       import_.nodes.push_back({node.name.empty() ? "node-" + std::to_string(index) : node.name, parent});
       if (node.mesh >= 0) addInstances(node, {index, number, toWorld});
       if (node.camera >= 0) readCamera(node, toWorld);
+      if (const auto* const light = extensionOf(node.extensions, "KHR_lights_punctual"))
+        readLight(numbersIn(*light, "light"), node.name, toWorld);
       for (auto child = node.children.rbegin(); child != node.children.rend(); ++child)
         open.push_back({*child, number, toWorld});
     }
@@ -331,6 +333,42 @@ class NodeReader {
     const double area = glm::length(glm::cross(seen.direction, seen.up));
     if (!isFinite(seen.eye) || !(area > 0) || !std::isfinite(area)) return;
     import_.camera = seen;
+  }
+
+  /// `number`: of the light, in a list.
+  void readLight(const std::vector<double>& number, const std::string& node, const glm::dmat4& toWorld) {
+    const tinygltf::Light& light = itemAt(gltf_.lights, number.empty() ? -1 : static_cast<int>(number[0]), "light");
+    const std::vector<double> colour = light.color.size() == 3 ? light.color : std::vector<double>(3, 1);
+    ImportedLight read{.kind = ImportedLight::Kind::Point,
+                       .name = !node.empty()         ? node
+                               : !light.name.empty() ? light.name
+                                                     : "lamp",
+                       .position = toWorld[3],
+                       .direction = -glm::dvec3(toWorld[2]),
+                       .intensity = light.intensity * glm::dvec3(colour[0], colour[1], colour[2]),
+                       .innerAngle = light.spot.innerConeAngle,
+                       .outerAngle = light.spot.outerConeAngle};
+    const std::string which = "the light `" + read.name + "`";
+    if (light.type == "spot")
+      read.kind = ImportedLight::Kind::Spot;
+    else if (light.type == "directional")
+      read.kind = ImportedLight::Kind::Directional;
+    else if (light.type != "point")
+      throw Fault{which + " has the unknown type `" + light.type + "`", exportAgain};
+    if (read.kind != ImportedLight::Kind::Point) read.direction /= glm::length(read.direction);
+    if (!isFinite(read.intensity) || glm::any(glm::lessThan(read.intensity, glm::dvec3(0))))
+      throw Fault{which + " has a colour or intensity that is no number of at least 0", exportAgain};
+    if (!isFinite(read.position) || !isFinite(read.direction))
+      throw Fault{which + " has no finite position and direction", exportAgain};
+    if (read.kind == ImportedLight::Kind::Spot &&
+        !(read.innerAngle >= 0 && read.innerAngle <= read.outerAngle && read.outerAngle > 0 &&
+          read.outerAngle <= std::numbers::pi / 2 + 1e-6))
+      throw Fault{which + " has cone angles out of range",
+                  "use 0 <= inner <= outer <= pi/2, and an outer angle above 0"};
+    if (light.range > 0)
+      import_.warnings.push_back(which +
+                                 " has a range, which is left out: light falls with the squared distance alone");
+    import_.lights.push_back(std::move(read));
   }
 
   const tinygltf::Model& gltf_;

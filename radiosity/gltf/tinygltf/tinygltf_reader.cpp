@@ -131,9 +131,6 @@ void checkExtensions(const tinygltf::Model& gltf) {
 }
 
 void warnOfOmissions(const tinygltf::Model& gltf, GltfImport& import) {
-  if (!gltf.lights.empty())
-    import.warnings.push_back("point, spot and directional lights are left out (" + std::to_string(gltf.lights.size()) +
-                              "); light comes from emissive materials");
   if (!gltf.skins.empty() || !gltf.animations.empty()) import.warnings.push_back("skins and animations are left out");
   std::string others;
   for (const std::string& name : gltf.extensionsUsed) {

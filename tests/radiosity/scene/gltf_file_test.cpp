@@ -324,22 +324,69 @@ TEST_CASE("loadScene reads 40,000 nodes of one name", "[gltf]") {
   CHECK(file.load().surfaces.back().name == "node~40000");
 }
 
-TEST_CASE("readGltf reads the camera and leaves out point lights with a warning", "[gltf]") {
+TEST_CASE("readGltf reads the camera", "[gltf]") {
   Gltf gltf = roomGltf();
   gltf.text["cameras"] = {{{"type", "perspective"}, {"perspective", {{"yfov", 1.0}, {"znear", 0.1}}}}};
   gltf.text["nodes"].push_back({{"camera", 0}, {"translation", {1, 2, 3}}});
   gltf.text["scenes"][0]["nodes"].push_back(2);
-  gltf.text["extensions"]["KHR_lights_punctual"]["lights"] = {{{"type", "point"}}};
-  gltf.text["extensionsUsed"].push_back("KHR_lights_punctual");
   const Scene scene = SceneFile("scene.glb", gltf.glb()).load();
   REQUIRE(scene.camera);
   CHECK(scene.camera->eye == glm::dvec3(1, 2, 3));
   CHECK(scene.camera->lookAt == glm::dvec3(1, 2, 2));
   CHECK(scene.camera->up == glm::dvec3(0, 1, 0));
   CHECK(scene.camera->fov == Approx(57.29577951));
-  REQUIRE(scene.warnings.size() == 1);
-  CHECK(scene.warnings[0].find("lights are left out (1)") != std::string::npos);
+  CHECK(scene.warnings.empty());
   CHECK(!SceneFile("room.glb", roomGltf().glb()).load().camera);
+}
+
+TEST_CASE("addLights makes lamps and suns of the lights of glTF, at the places of their nodes", "[gltf]") {
+  Gltf gltf = roomGltf();
+  gltf.text["extensionsUsed"].push_back("KHR_lights_punctual");
+  gltf.text["extensions"]["KHR_lights_punctual"]["lights"] = {
+      {{"type", "point"}, {"intensity", 683}, {"color", {1, 0.5, 0.25}}},
+      {{"type", "spot"},
+       {"name", "beam"},
+       {"intensity", 1366},
+       {"spot", {{"innerConeAngle", 0.25}, {"outerConeAngle", 0.5}}}},
+      {{"type", "directional"}, {"intensity", 6830}},
+      {{"type", "spot"}, {"spot", {{"innerConeAngle", 0.5}, {"outerConeAngle", 0.5}}}}};
+  const auto addNode = [&](json node, int light) {
+    node["extensions"]["KHR_lights_punctual"]["light"] = light;
+    gltf.text["scenes"][0]["nodes"].push_back(gltf.text["nodes"].size());
+    gltf.text["nodes"].push_back(node);
+  };
+  const double half = std::sqrt(0.5);
+  addNode({{"name", "bulb"}, {"translation", {1, 2, 3}}}, 0);
+  addNode({{"translation", {0, 1, 0}}, {"rotation", {-half, 0, 0, half}}, {"scale", {2, 2, 2}}}, 1);  // looks down
+  addNode({{"rotation", {-half, 0, 0, half}}}, 2);
+  addNode({{"name", "bulb"}}, 3);
+  const SceneFile file("scene.glb", gltf.glb());
+  const Scene scene = file.load();
+  CHECK(scene.warnings.empty());
+  CHECK(scene.photometricLights == 4);
+  REQUIRE(scene.lamps.size() == 3);
+  CHECK(scene.lamps[0].name == "bulb");
+  CHECK(scene.lamps[0].position == glm::dvec3(1, 2, 3));
+  CHECK(scene.lamps[0].intensity == glm::dvec3(1, 0.5, 0.25));
+  CHECK(!scene.lamps[0].cone);
+  CHECK(scene.lamps[1].name == "beam");
+  CHECK(scene.lamps[1].intensity == glm::dvec3(2));
+  REQUIRE(scene.lamps[1].cone);
+  CHECK(glm::distance(scene.lamps[1].cone->axis, glm::dvec3(0, -1, 0)) < 1e-12);
+  CHECK(scene.lamps[1].cone->innerCosine == Approx(std::cos(0.25)));
+  CHECK(scene.lamps[1].cone->outerCosine == Approx(std::cos(0.5)));
+  CHECK(scene.lamps[2].name == "bulb~2");
+  CHECK(scene.lamps[2].cone->innerCosine == Approx(std::cos(0.5) + 0.001));
+  REQUIRE(scene.outside.suns.size() == 1);
+  CHECK(glm::distance(scene.outside.suns[0].towards, glm::dvec3(0, 1, 0)) < 1e-12);
+  CHECK(scene.outside.suns[0].irradiance == glm::dvec3(10));
+  CHECK(file.load({.lumensPerWatt = 1}).lamps[0].intensity == glm::dvec3(683, 341.5, 170.75));
+
+  gltf.text["extensions"]["KHR_lights_punctual"]["lights"][1]["spot"]["outerConeAngle"] = 1.6;
+  CHECK_THAT(faultOf(gltf.glb()), Catch::Contains("`beam` has cone angles out of range"));
+  gltf.text["nodes"].back()["extensions"]["KHR_lights_punctual"]["light"] = 4;
+  gltf.text["extensions"]["KHR_lights_punctual"]["lights"][1]["spot"]["outerConeAngle"] = 0.5;
+  CHECK_THAT(faultOf(gltf.glb()), Catch::Contains("light 4 does not exist: there are 4"));
 }
 
 TEST_CASE("loadScene names each glTF material that lets light through", "[gltf]") {

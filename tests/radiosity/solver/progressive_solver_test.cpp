@@ -282,7 +282,7 @@ TEST_CASE("solve and refine shoot until the seen surfaces have the residual, too
                       .patches = discretization.patches,
                       .rowOf = [&](const Patch& from) { return rows.ofPatch(from); },
                       .settings = {.residual = residual},
-                      .seen = {surfaces, {}},
+                      .seen = {surfaces, {}, residual},
                       .isContinued = true};
   };
   const auto seenResidual = [&](const Solution& solution) {
