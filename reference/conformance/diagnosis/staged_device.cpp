@@ -284,7 +284,7 @@ PlacedVector placeVector(const TestVector& vector) {
 
 void drawOn(const StagedDevice& device, const PlacedVector& placed,
             const std::function<bool(const raster::ItemBuffer&)>& wantsMore) {
-  constexpr int stripRows = 8;
+  constexpr int stripRows = 2;
   const bool isChanged = device.assemble || device.upload;
   raster::DrawList changed;
   if (isChanged) changed = device.assemble ? device.assemble(placed.source) : placed.list;
