@@ -25,13 +25,14 @@ std::string requestFor(const fs::path& folder, const fs::path& output) {
 /// What is wrong with the item ID files of a program that ended well.
 std::optional<DeviceFailure> checkFiles(const reference::TestVector& vector, const fs::path& folder,
                                         const reference::ProcessResult& process) {
+  const bool arePairs = reference::sourceOf(vector).value == raster::PixelValue::Pairs;
   for (const reference::VectorFace& face : vector.faces) {
     const fs::path file = folder / face.ids;
     if (!fs::is_regular_file(fs::symlink_status(file)))
       return DeviceFailure{DeviceFault::MissingFile, face.ids + " is missing", process};
     const auto width = static_cast<std::size_t>(face.face.scissor.width),
                height = static_cast<std::size_t>(face.face.scissor.height);
-    const std::size_t bytes = width * height * sizeof(raster::ItemId);
+    const std::size_t bytes = width * height * (arePairs ? sizeof(std::uint64_t) : sizeof(raster::ItemId));
     if (fs::file_size(file) != bytes)
       return DeviceFailure{
           DeviceFault::WrongSize,

@@ -22,7 +22,7 @@ std::set<std::string> ownFiles(const RenderOptions& options) {
   std::error_code isOther;
   if (!std::filesystem::equivalent(options.input, options.output, isOther)) return names;
   for (const std::filesystem::directory_entry& entry : std::filesystem::directory_iterator(options.input))
-    if (const auto type = entry.path().extension(); type == ".f32" || type == ".u32")
+    if (const auto type = entry.path().extension(); type == ".f32" || type == ".u16" || type == ".u32")
       names.insert(entry.path().filename());
   names.insert("vector.json");
   return names;
@@ -30,11 +30,9 @@ std::set<std::string> ownFiles(const RenderOptions& options) {
 
 void renderVector(const RenderOptions& options, Context& context) {
   reference::TestVector vector = reference::readVector(options.input);
-  const bool isReference = options.device == Device::Software;
-  const std::vector<raster::ItemBuffer> buffers =
-      isReference ? render(vector)
-                  : render(*makeRenderer(vector.list, options.device, options.deviceName), facesOf(vector));
-  if (!isReference) context.console.message("drawn by " + deviceName(options.device, options.deviceName));
+  const std::vector<raster::ItemBuffer> buffers = drawVector(vector, options.device, options.deviceName);
+  if (options.device != Device::Software)
+    context.console.message("drawn by " + deviceName(options.device, options.deviceName));
   for (std::size_t f = 0; f < buffers.size(); ++f) vector.faces[f].hash = reference::faceHash(vector, buffers[f]);
   Staging staging({.place = options.output, .writer = "vector render", .replaced = ownFiles(options)});
   reference::writeVector(staging.folder(), vector, buffers);

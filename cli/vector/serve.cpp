@@ -3,7 +3,6 @@
 #include <memory>
 
 #include "cli/common/commands.h"
-#include "cli/devices/renderers.h"
 #include "cli/vector/vector_output.h"
 #include "raster/base/input_error.h"
 
@@ -23,8 +22,8 @@ void drawLine(const std::string& line, const ServeOptions& options) {
   if (tab == std::string::npos)
     throw raster::InputError("a line names no folder for item IDs", "write it behind the vector and a tab");
   const reference::TestVector vector = reference::readVector(line.substr(0, tab));
-  const auto renderer = makeRenderer(vector.list, options.device, options.deviceName);
-  reference::writeCandidate(line.substr(tab + 1), vector, render(*renderer, facesOf(vector)));
+  const std::vector<raster::ItemBuffer> buffers = drawVector(vector, options.device, options.deviceName);
+  reference::writeCandidate(line.substr(tab + 1), vector, buffers);
 }
 
 void serve(const ServeOptions& options) {

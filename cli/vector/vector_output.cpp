@@ -43,6 +43,12 @@ void writeVectors(const std::filesystem::path& folder, const std::string& writer
     writeCsv(std::cout, tableOf(vectors));
 }
 
+std::vector<raster::ItemBuffer> drawVector(const reference::TestVector& vector, Device device,
+                                           const std::string& name) {
+  if (device == Device::Software) return render(vector);
+  return render(*makeRenderer(vector.list, device, name), facesOf(vector));
+}
+
 void addDevice(Command command, Device& device, std::string& name) {
   const Option option =
       addChoice<Device>(command, "--device", device,

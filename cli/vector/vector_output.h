@@ -19,6 +19,9 @@ void writeVectors(const std::filesystem::path& folder, const std::string& writer
                   const std::function<reference::TestVector(std::size_t)>& vectorAt, bool withIds,
                   const Context& context);
 
+/// The item buffers of a vector's faces on a device; the software draws them by the rules.
+std::vector<raster::ItemBuffer> drawVector(const reference::TestVector& vector, Device device, const std::string& name);
+
 /// Adds `--device` and `--device-name`.
 void addDevice(Command command, Device& device, std::string& name);
 

@@ -113,6 +113,7 @@ std::vector<Corners> trianglesOf(const DrawList& list, const Draw& draw) {
 }
 
 DrawList assembled(const DrawList& list) {
+  if (isAssembled(list)) return list;
   requireRanges(list);
   DrawList result = list;
   result.indices.clear();

@@ -1,7 +1,6 @@
 #include "raster/plain/plain_renderer.h"
 
 #include <algorithm>
-#include <utility>
 
 #include "raster/interface/assembly.h"
 
@@ -65,10 +64,7 @@ std::vector<CoveredSample> visibleSamples(const DrawList& list, std::span<const 
   return visible;
 }
 
-PlainRenderer::PlainRenderer(DrawList list) : list_(std::move(list)) {
-  validate(list_);
-  if (!isAssembled(list_)) list_ = assembled(list_);
-}
+PlainRenderer::PlainRenderer(const DrawList& list) : list_(assembled(list)) { validate(list_); }
 
 void PlainRenderer::draw(std::span<const Face> faces, std::span<const std::uint32_t> skipped,
                          std::vector<ItemBuffer>& buffers, const std::function<void(std::size_t)>& drawn) {

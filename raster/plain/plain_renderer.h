@@ -21,7 +21,7 @@ std::vector<CoveredSample> visibleSamples(const DrawList& list, std::span<const 
 class PlainRenderer final : public ItemBufferRenderer {
  public:
   /// Throws InputError if the list breaks the rules (see validate).
-  explicit PlainRenderer(DrawList list);
+  explicit PlainRenderer(const DrawList& list);
 
   /// Throws InputError if a face breaks the rules. May be called from several threads at a time.
   void draw(std::span<const Face> faces, std::span<const std::uint32_t> skipped, std::vector<ItemBuffer>& buffers,

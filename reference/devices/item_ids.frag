@@ -4,10 +4,12 @@
 layout(location = 0) flat in dvec3 one;
 layout(location = 2) flat in dvec3 column;
 layout(location = 4) flat in dvec3 row;
-layout(location = 6) flat in double volume;
-layout(location = 7) flat in uint draw;
-layout(location = 8) flat in uint number;
+layout(location = 6) flat in dvec3 depth;
+layout(location = 8) flat in double volume;
+layout(location = 9) flat in uint draw;
+layout(location = 10) flat in uint number;
 layout(location = 0) out uint id;
+layout(location = 1) out float passed;  // where pixels hold counts, a blend unit adds it
 
 uint clampedAdd(uint a, uint b) {
   uint sum = 0;
@@ -29,13 +31,15 @@ uint blended(uint offset, uint texel) {
 }
 
 void main() {
-  dvec3 p = dvec3(256 * (gl_FragCoord.xy + scissor) - 128 * resolution, 1);
-  // The depth is w itself, scaled below 1 by a power of two. It is often a binary32 number where 1/w is not.
-  gl_FragDepth = float(volume / dot(one, p)) * 5.421010862427522e-20;  // 2^-64
+  dvec3 p = dvec3(256 * (gl_FragCoord.xy + scissor) - 128 * size, 1);
+  // In a scene the depth is w itself, scaled below 1 by a power of two. It is often a binary32 number where 1/w is not.
+  gl_FragDepth = depthScale == 0 ? float(volume / dot(one, p)) * 5.421010862427522e-20  // 2^-64
+                                 : float(clamp(depthScale * (dot(depth, p) / volume) + depthOffset, 0, 1));
+  passed = 1;
   Draw drawn = draws[draw];
   if (drawn.cull == (gl_FrontFacing ? 1 : 2)) discard;
   bool isBack = drawn.hasBack != 0 && !gl_FrontFacing;
-  id = isBack ? drawn.back : value == 1 ? number : drawn.offset;
+  id = isBack ? drawn.back : value == 0 ? drawn.offset : number;
   if (drawn.width == 0) return;
   dvec2 position = dvec2(dot(column, p), dot(row, p)) / dot(one, p);
   uvec2 texel = uvec2(clamp(floor(position), dvec2(0), dvec2(drawn.width, drawn.height) - 1));

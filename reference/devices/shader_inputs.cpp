@@ -1,5 +1,7 @@
 #include "reference/devices/shader_inputs.h"
 
+#include "raster/plain/rules.h"
+
 namespace hemitex::reference {
 
 std::uint32_t channelEnds(const raster::IdFormat& format) {
@@ -14,9 +16,14 @@ std::uint32_t channelEnds(const raster::IdFormat& format) {
 
 std::vector<ShaderCorner> shaderCorners(const raster::DrawList& list) {
   std::vector<ShaderCorner> corners;
-  for (std::uint32_t d = 0; d < list.draws.size(); ++d)
-    for (std::uint32_t i = list.draws[d].first; i < list.draws[d].first + list.draws[d].count; ++i)
-      corners.push_back({list.positions[list.indices[i]], list.texcoords[list.indices[i]], d});
+  for (std::uint32_t d = 0; d < list.draws.size(); ++d) {
+    const raster::Draw& draw = list.draws[d];
+    for (std::uint32_t i = draw.first; i < draw.first + draw.count; ++i) {
+      const std::uint32_t vertex = list.indices[i];
+      corners.push_back({list.positions[vertex], list.clipZ.empty() ? -1 : list.clipZ[vertex], list.texcoords[vertex],
+                         d, raster::flatValue(list, draw, i / 3)});
+    }
+  }
   return corners;
 }
 
@@ -28,11 +35,9 @@ std::vector<ShaderDraw> shaderDraws(const raster::DrawList& list) {
     texels += map.ids.size();
   }
   std::vector<ShaderDraw> draws;
-  int triangles = 0;
   for (const raster::Draw& draw : list.draws) {
     ShaderDraw shaderDraw{
-        draw.offset, draw.back.value_or(0), draw.back.has_value(), 0, 0, 0, static_cast<int>(draw.cull), triangles};
-    triangles += static_cast<int>(draw.count / 3);
+        draw.offset, draw.back.value_or(0), draw.back.has_value(), 0, 0, 0, static_cast<int>(draw.cull)};
     if (draw.indexMap) {
       const auto m = static_cast<std::size_t>(*draw.indexMap);
       shaderDraw.firstTexel = firstTexels[m];
@@ -50,18 +55,26 @@ std::vector<raster::ItemId> shaderTexels(const raster::DrawList& list) {
   return texels;
 }
 
-ShaderView shaderView(const raster::Face& face, const raster::DrawList& list, int width) {
+ShaderView shaderView(const raster::Face& face, const raster::DrawList& list, const DeviceViewport& viewport) {
+  const raster::Viewport size = raster::viewportOf(face);
+  const raster::DepthRule depth = raster::depthRuleOf(list, face);
+  const bool isExactScene =
+      list.clipDepth == raster::ClipDepth::None && list.depthPrecision == raster::DepthPrecision::Exact;
   return {.eye = face.eye,
           .near = face.nearDistance,
           .x = face.x,
-          .resolution = static_cast<float>(face.resolution),
+          .sampleOffset = face.sample == raster::SamplePlace::Corner ? 128.0F : 0.0F,
           .y = face.y,
-          .width = static_cast<float>(width),
-          .w = face.w,
           .channelEnds = channelEnds(list.format),
-          .scissor = {face.scissor.column, face.scissor.row},
+          .w = face.w,
           .blend = list.blend,
-          .value = static_cast<int>(list.value)};
+          .scissor = {face.scissor.column, face.scissor.row},
+          .size = {size.columns, size.rows},
+          .viewport = {viewport.columns, viewport.rows},
+          .value = static_cast<int>(list.value),
+          .clipDepth = static_cast<int>(list.clipDepth),
+          .depthScale = isExactScene ? 0 : static_cast<float>(depth.scale),
+          .depthOffset = static_cast<float>(depth.offset)};
 }
 
 }  // namespace hemitex::reference

@@ -2,9 +2,11 @@
 #version 450
 
 struct Corner {
-  float x, y, z;
+  float x, y, z;  // in clip space x, y, w
+  float clipZ;
   float u, v;
   uint draw;
+  uint number;
 };
 
 struct Draw {
@@ -14,7 +16,6 @@ struct Draw {
   uint firstTexel;
   int width, height;
   int cull;  // raster::Cull
-  int firstTriangle;
 };
 
 layout(std430, binding = 0) readonly buffer Corners { Corner corners[]; };
@@ -31,12 +32,16 @@ layout(std140, binding = 0) uniform View {
   vec3 eye;
   float near;
   vec3 x;
-  float resolution;
+  float sampleOffset;
   vec3 y;
-  float width;
-  vec3 w;
   uint channelEnds;
-  vec2 scissor;
+  vec3 w;
   int blend;  // raster::Blend
-  int value;  // raster::PixelValue
+  vec2 scissor;
+  vec2 size;
+  vec2 viewport;
+  int value;      // raster::PixelValue
+  int clipDepth;  // raster::ClipDepth
+  float depthScale;
+  float depthOffset;
 };

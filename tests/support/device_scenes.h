@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "reference/conformance/suite/vector_suite.h"
+#include "reference/conformance/vectors/random_vectors.h"
 #include "reference/conformance/verdict/verdict.h"
 #include "tests/support/raster_scenes.h"
 
@@ -58,6 +59,15 @@ inline raster::Face scaledFrontFace() {
   raster::Face face = frontFace(16);
   face.x.x = face.y.y = face.w.z = 2;
   return face;
+}
+
+/// Vectors of version 2 of the rules: its suite, and random ones of each of its families.
+inline std::vector<reference::TestVector> version2Vectors(std::uint64_t perFamily) {
+  std::vector<reference::TestVector> vectors = reference::drawVectors();
+  for (const reference::RandomFamily& family : reference::newRandomFamilies())
+    for (std::uint64_t seed = 0; seed < perFamily; ++seed)
+      vectors.push_back(reference::randomVector(seed, family.name));
+  return vectors;
 }
 
 /// Pixels that are not background by the rules or on the device, and how many of them are exact.

@@ -355,6 +355,14 @@ std::vector<Injection> geometryInjections() {
 
 // --- coverage and depth ---
 
+/// The background alone.
+Buffers nothing(const TestVector& vector, const SimulatedDevice& device) {
+  Buffers buffers = drawAll(device, vector);
+  for (ItemBuffer& buffer : buffers)
+    std::fill(buffer.ids.begin(), buffer.ids.end(), raster::backgroundId(vector.list.format));
+  return buffers;
+}
+
 /// Coverage and depth at four samples, the colour once at the centre; bytes averaged.
 Buffers multisampled(const TestVector& vector, SimulatedDevice device) {
   std::vector<Buffers> samples;
@@ -487,7 +495,7 @@ std::vector<Injection> sampleInjections() {
   strict.strictDepth = true;
   strict.depthTolerance = 0.5;  // only rounding, which is the same for equal triangles
   const auto orEqual = [](SimulatedDevice& device) { device.passes = std::less_equal<double>(); };
-  return {onIds("triangles missing", "rotated-view", everyId([](ItemId) { return 0xffffffffu; })),
+  return {{"triangles missing", "rotated-view", nothing},
           onInput("front and back exchanged", "backs", turnTriangles),
           {"front and back exchanged", "backs", turnedInMirror},
           {"wrong fill rule", "borders-on-samples", withoutEdges},
@@ -885,7 +893,7 @@ std::vector<Injection> drawInjections() {
       onIds("tiled memory read as rows", "sample-grid-later-nearer", readTilesAsRows),
       onDevice("border colour beyond the map", "clamped-coordinates",
                [=](SimulatedDevice& device) { device.fetch = bordered; }),
-      onInput("size of the index map a power of two", "rectangular-map", scaleToPowers),
+      onInput("size of the index map a power of two", "perspective-twist", scaleToPowers),
       {"projection moved within a pixel", "five-faces", jittered},
       onIds("picture moved by a pixel", "five-faces", moveRight)};
 }

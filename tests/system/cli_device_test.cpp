@@ -243,6 +243,18 @@ TEST_CASE("hemitex vector serve is a device for hemitex vector run --lines", "[c
   CHECK(answers.find("\nfailed: a line names no folder for item IDs") != std::string::npos);
 }
 
+TEST_CASE("hemitex vector serve and vector render draw the whole suite of version 2, pairs of 64 bits too", "[cli]") {
+  const Shell shell;
+  REQUIRE(shell.run("vector suite --rules 2 -o suite").exitCode == 0);
+  const Outcome outcome = shell.run("vector run suite --device \"'" HEMITEX_PROGRAM "' vector serve\" --lines -o mine --json");
+  CHECK(outcome.exitCode == 0);
+  const json result = json::parse(outcome.out);
+  CHECK(result["vectors"].size() == 32);
+  CHECK(result["pixels"]["exact"] == 2077);
+  // In place, also beside indices of 16 bits.
+  CHECK(shell.run("vector render suite/restart-fan -o suite/restart-fan").exitCode == 0);
+}
+
 TEST_CASE("hemitex vector run and check --shard share a suite", "[cli]") {
   const Workshop shop;
   breakVector(shop.file("right/layout-r8g8b8a8"));

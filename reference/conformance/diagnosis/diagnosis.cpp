@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <optional>
 #include <set>
 
 #include "raster/base/parallel.h"
@@ -158,24 +159,26 @@ bool areIndistinct(const Case& given, const Match& best, const Match& other) {
 
 // --- two faults at once ---
 
-/// A variant with an effect on the vector, and its item buffers.
+/// A variant with an effect on the vector, the list that it draws if it is another one, and its item buffers.
 struct Effect {
   const Fault* fault;
   const Variant* variant;
+  std::optional<raster::DrawList> uploaded = {};
   std::vector<raster::ItemBuffer> buffers = {};
 };
 
-std::vector<raster::ItemBuffer> drawAll(const StagedDevice& device, const PlacedVector& placed) {
-  std::vector<raster::ItemBuffer> buffers;
-  for (const raster::Face& face : placed.faces) buffers.emplace_back().resize(face.scissor);
+void draw(const PlacedVector& placed, Effect& effect) {
+  const StagedDevice& device = effect.variant->device;
+  effect.uploaded = uploadedOn(device, placed);
+  for (const raster::Face& face : placed.faces) effect.buffers.emplace_back().resize(face.scissor);
   std::size_t f = 0, pixel = 0;
-  drawOn(device, placed, [&](const raster::ItemBuffer& part) {
-    std::copy(part.ids.begin(), part.ids.end(), buffers[f].ids.begin() + static_cast<std::ptrdiff_t>(pixel));
+  drawOn(device, placed, effect.uploaded ? *effect.uploaded : placed.list, [&](const raster::ItemBuffer& part) {
+    std::vector<ItemId>& ids = effect.buffers[f].ids;
+    std::copy(part.ids.begin(), part.ids.end(), ids.begin() + static_cast<std::ptrdiff_t>(pixel));
     pixel += part.ids.size();
-    if (pixel == buffers[f].ids.size()) pixel = 0, ++f;
+    if (pixel == ids.size()) pixel = 0, ++f;
     return true;
   });
-  return buffers;
 }
 
 bool areEqual(const std::vector<raster::ItemBuffer>& a, const std::vector<raster::ItemBuffer>& b) {
@@ -189,8 +192,7 @@ std::vector<Effect> effectsOf(const Case& given, const std::vector<Fault>& fault
   for (const Fault& fault : faults)
     for (const Variant& variant : fault.variants)
       if (!variant.isPartial) all.push_back({&fault, &variant});
-  raster::parallelFor(all.size(),
-                      [&](std::size_t k) { all[k].buffers = drawAll(all[k].variant->device, given.placed); });
+  raster::parallelFor(all.size(), [&](std::size_t k) { draw(given.placed, all[k]); });
   for (Effect& effect : all) {
     const auto isSame = [&](const Effect& other) {
       return other.fault == effect.fault && areEqual(other.buffers, effect.buffers);
@@ -199,6 +201,16 @@ std::vector<Effect> effectsOf(const Case& given, const std::vector<Fault>& fault
       different.push_back(std::move(effect));
   }
   return different;
+}
+
+/// The list that two faults draw, for which `changed` has room.
+const raster::DrawList& uploadedBy(const Case& given, const Effect& first, const Effect& second,
+                                   raster::DrawList& changed) {
+  if (!first.uploaded) return second.uploaded ? *second.uploaded : given.placed.list;
+  if (!second.variant->device.upload) return *first.uploaded;
+  changed = *first.uploaded;
+  second.variant->device.upload(changed);
+  return changed;
 }
 
 /// How two faults agree, the change of the first one before that of the second.
@@ -215,7 +227,10 @@ Match compare(const Case& given, const Agreement& undrawn, const Effect& first, 
   const std::optional<StagedDevice> device = pairOf(first.variant->device, second.variant->device);
   if (!device) return {};
   both.device = *device;
-  return compare(given, undrawn, both);
+  raster::DrawList changed;
+  const raster::DrawList& list = uploadedBy(given, first, second, changed);
+  return compare(given, undrawn, both,
+                 [&](const auto& wantsMore) { drawOn(both.device, given.placed, list, wantsMore); });
 }
 
 /// Whether the order of the two changes matters.

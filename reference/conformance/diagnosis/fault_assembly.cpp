@@ -3,6 +3,7 @@
 #include <functional>
 
 #include "raster/interface/assembly.h"
+#include "raster/interface/depth_test.h"
 #include "reference/conformance/diagnosis/fault.h"
 
 namespace hemitex::reference {
@@ -223,8 +224,7 @@ double depthOfCleared(const DrawList& list, double d) {
 
 std::vector<Variant> wrongClears(const DrawList& list) {
   if (list.clipDepth == raster::ClipDepth::None) return {};
-  const bool isReversed =
-      list.depthTest == raster::DepthTest::Farther || list.depthTest == raster::DepthTest::FartherOrEqual;
+  const bool isReversed = raster::keepsFarther(list.depthTest);
   return {{isReversed ? "cleared to 1" : "cleared to 0",
            withStage(&StagedDevice::clearedDepth, depthOfCleared(list, isReversed ? 1 : 0))}};
 }

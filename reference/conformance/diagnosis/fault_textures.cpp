@@ -28,8 +28,14 @@ glm::dvec2 withoutPerspective(const raster::SnappedTriangle& triangle, const ras
   return glm::dvec2(sum) / sum.z;
 }
 
+/// A column or row outside of the map repeats.
+ItemId wrappedTexel(const IndexMap& map, const glm::dvec2& texel) {
+  return texelAt(map, texel - sizeOf(map) * glm::floor(texel / sizeOf(map)));
+}
+
+/// The part behind the point of a coordinate just below 0 is rounded to 1, which is texel 0 again.
 ItemId repeatedTexel(const IndexMap& map, const Lookup& lookup) {
-  return nearestTexel(map, lookup.at - glm::floor(lookup.at));
+  return wrappedTexel(map, glm::floor((lookup.at - glm::floor(lookup.at)) * sizeOf(map)));
 }
 
 /// Where rounding makes a coordinate of 0 smaller, it repeats, too.
@@ -46,7 +52,7 @@ ItemId repeatedTexelInFixedPoint(const IndexMap& map, const Lookup& lookup) {
   glm::dvec2 texel;
   for (int axis = 0; axis < 2; ++axis)
     texel[axis] = std::floor(std::nearbyint(lookup.at[axis] * size[axis] * 256) / 256);
-  return texelAt(map, texel - size * glm::floor(texel / size));
+  return wrappedTexel(map, texel);
 }
 
 /// A coordinate within rounding of 0 or 1 may repeat on one device and not on another.
@@ -58,7 +64,7 @@ ItemId repeatedTexelAtBorders(const IndexMap& map, const Lookup& lookup) {
     if (std::abs(at) <= rounding) texel[axis] = -1;
     if (std::abs(at - size[axis]) <= rounding) texel[axis] = size[axis];
   }
-  return texelAt(map, texel - size * glm::floor(texel / size));
+  return wrappedTexel(map, texel);
 }
 
 /// Texels of a border around the map.

@@ -282,16 +282,24 @@ PlacedVector placeVector(const TestVector& vector) {
   return placed;
 }
 
+std::optional<raster::DrawList> uploadedOn(const StagedDevice& device, const PlacedVector& placed) {
+  if (!device.assemble && !device.upload) return {};
+  std::optional<raster::DrawList> list = device.assemble ? device.assemble(placed.source) : placed.list;
+  if (device.upload) device.upload(*list);
+  return list;
+}
+
 void drawOn(const StagedDevice& device, const PlacedVector& placed,
             const std::function<bool(const raster::ItemBuffer&)>& wantsMore) {
-  constexpr int stripRows = 8;
-  const bool isChanged = device.assemble || device.upload;
-  raster::DrawList changed;
-  if (isChanged) changed = device.assemble ? device.assemble(placed.source) : placed.list;
-  if (device.upload) device.upload(changed);
-  const raster::DrawList& list = isChanged ? changed : placed.list;
+  const std::optional<raster::DrawList> uploaded = uploadedOn(device, placed);
+  drawOn(device, placed, uploaded ? *uploaded : placed.list, wantsMore);
+}
+
+void drawOn(const StagedDevice& device, const PlacedVector& placed, const raster::DrawList& list,
+            const std::function<bool(const raster::ItemBuffer&)>& wantsMore) {
+  constexpr int stripRows = 2;
   const UploadedList uploaded{list};
-  const bool isSameMesh = !device.geometry && (!isChanged || haveSameTriangles(list, placed.list));
+  const bool isSameMesh = !device.geometry && (&list == &placed.list || haveSameTriangles(list, placed.list));
   KeptDepths kept;
   for (std::size_t f = 0; f < placed.faces.size(); ++f) {
     raster::Face view = viewOf(device, placed.faces, f);

@@ -177,10 +177,17 @@ struct PlacedVector {
 
 PlacedVector placeVector(const TestVector& vector);
 
+/// The list that a device draws, after `assemble` and `upload`; nothing where it is that of the vector.
+std::optional<raster::DrawList> uploadedOn(const StagedDevice& device, const PlacedVector& placed);
+
 /// Draws the vector on a device. `wantsMore` gets the rows of each face from its first to its last, in the order of
 /// faces, some rows at a time; drawing ends where it returns false. A device without faults gives the item IDs of the
 /// rules, except at samples within rounding of a texel border or of another depth.
 void drawOn(const StagedDevice& device, const PlacedVector& placed,
+            const std::function<bool(const raster::ItemBuffer&)>& wantsMore);
+
+/// The same with the list that the device draws, which may be that of the vector.
+void drawOn(const StagedDevice& device, const PlacedVector& placed, const raster::DrawList& list,
             const std::function<bool(const raster::ItemBuffer&)>& wantsMore);
 
 }  // namespace hemitex::reference

@@ -317,8 +317,10 @@ std::optional<CommonPair> commonPair(std::span<const Report> reports, std::span<
       return isExplaining(reports[k], names[0]) || isExplaining(reports[k], names[1]) ||
              !diagnosePairs(*vectors[k], reports[k].verdict, names).empty();
     };
-    std::size_t count = 0;
-    for (std::size_t k = 0; k < reports.size(); ++k) count += hasErrors(reports[k].verdict) && explains(k);
+    // Until it cannot explain more than the best one.
+    std::size_t count = failures;
+    for (std::size_t k = 0; k < reports.size() && count > best.vectors; ++k)
+      count -= hasErrors(reports[k].verdict) && !explains(k);
     if (count > best.vectors) best = {pair, count, failures};
   }
   const std::size_t more = best.vectors - std::min(best.vectors, alone);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "raster/interface/depth_test.h"
+
 namespace hemitex::reference {
 
 std::vector<DrawnTriangle> drawnTriangles(const raster::DrawList& list) {
@@ -54,10 +56,8 @@ std::vector<Fragment> fragmentsAt(const raster::DrawList& list, std::span<const 
     if (!isHole(list, sample)) covered.push_back(sample);
   }
   const raster::ItemId passed = passedAt(list, covered);
-  using raster::DepthTest;
-  const bool keepsLast = list.depthTest == DepthTest::NearerOrEqual || list.depthTest == DepthTest::FartherOrEqual;
-  const bool isReversed = list.depthTest == DepthTest::Farther || list.depthTest == DepthTest::FartherOrEqual;
-  if (keepsLast) std::reverse(covered.begin(), covered.end());
+  const bool isReversed = keepsFarther(list.depthTest);
+  if (keepsLast(list.depthTest)) std::reverse(covered.begin(), covered.end());
   std::stable_sort(covered.begin(), covered.end(), [=](const raster::CoveredSample& a, const raster::CoveredSample& b) {
     return isReversed ? isNearer(b, a) : isNearer(a, b);
   });

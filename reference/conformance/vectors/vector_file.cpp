@@ -287,7 +287,7 @@ VectorFace readFace(const Json& vector, const Json& json) {
 
 /// Sets the list, and keeps it if assembly changes it.
 void setList(TestVector& vector, raster::DrawList list) {
-  vector.list = isAssembled(list) ? list : assembled(list);
+  vector.list = assembled(list);
   if (!isAssembled(list)) vector.source = std::move(list);
 }
 

@@ -7,6 +7,8 @@
 #include <tuple>
 #include <utility>
 
+#include "raster/interface/depth_test.h"
+
 namespace hemitex::reference {
 namespace {
 
@@ -23,10 +25,6 @@ struct Candidate {
 
   bool covers() const { return covered.triangle; }
 };
-
-bool keepsFarther(raster::DepthTest test) {
-  return test == raster::DepthTest::Farther || test == raster::DepthTest::FartherOrEqual;
-}
 
 /// Bounds the depth of a candidate on all devices.
 void setDepths(const JudgedFace& face, Candidate& candidate) {
@@ -217,7 +215,7 @@ bool haveSameCorners(const DeviceTriangle& a, const DeviceTriangle& b) {
 /// Whether an earlier candidate that cannot vanish has the same corners; or a later one, where of equal depths the last
 /// one stays. Then it covers the same samples at the same depths on every device, and this one is never visible.
 bool hasTwinThatStays(raster::DepthTest test, const std::vector<Candidate>& candidates, const Candidate& candidate) {
-  const bool keepsLast = test == raster::DepthTest::NearerOrEqual || test == raster::DepthTest::FartherOrEqual;
+  const bool keepsLast = raster::keepsLast(test);
   const Candidate* const first = keepsLast ? &candidate + 1 : candidates.data();
   const Candidate* const end = keepsLast ? candidates.data() + candidates.size() : &candidate;
   return std::any_of(first, end, [&](const Candidate& other) {

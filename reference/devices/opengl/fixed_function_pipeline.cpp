@@ -33,6 +33,7 @@ bool addsAsBytes(const raster::DrawList& list) {
 struct Corner {
   glm::vec3 position;
   glm::vec2 texel;  ///< texture coordinates in texels
+  float clipZ = 0;  ///< in clip space
 };
 using Corners = std::array<Corner, 3>;
 
@@ -49,10 +50,13 @@ float texelPosition(float u, int size) {
 Corners cornersAt(const raster::DrawList& list, std::uint32_t first, const raster::IndexMap* map) {
   Corners corners;
   for (std::uint32_t k = 0; k < 3; ++k) {
-    const glm::vec3& position = list.positions[list.indices[first + k]];
-    const glm::vec2& texcoord = list.texcoords[list.indices[first + k]];
-    if (!raster::isFinite({position.x, position.y, position.z, texcoord.x, texcoord.y})) return {};
+    const std::uint32_t vertex = list.indices[first + k];
+    const glm::vec3& position = list.positions[vertex];
+    const glm::vec2& texcoord = list.texcoords[vertex];
+    const float clipZ = list.clipZ.empty() ? 0 : list.clipZ[vertex];
+    if (!raster::isFinite({position.x, position.y, position.z, texcoord.x, texcoord.y, clipZ})) return {};
     corners[k].position = position;
+    corners[k].clipZ = clipZ;
     if (map) corners[k].texel = {texelPosition(texcoord.x, map->width), texelPosition(texcoord.y, map->height)};
   }
   return corners;
@@ -100,13 +104,13 @@ std::vector<Corners> preparedTriangles(const raster::DrawList& list) {
 /// The lowest byte is red.
 glm::vec4 colourOf(ItemId id) { return glm::vec4(id & 255, id >> 8 & 255, id >> 16 & 255, id >> 24) / 255.0f; }
 
-/// Moves a corner in front of the near plane to the sub-pixel that the rules snap it to.
-glm::vec4 clipPosition(const raster::Face& face, const raster::ViewVertex& view, int width) {
-  const double subPixels = 128.0 * face.resolution;  // in a unit of x/w
-  const auto across = [&](double x) {
-    return view.w < face.nearDistance ? x : std::nearbyint(x / view.w * subPixels) / subPixels * view.w;
-  };
-  return glm::dvec4(across(view.x) / width, across(view.y) / width, face.nearDistance, view.w);
+/// Moves a corner in front of the near plane to the sub-pixel that the rules snap it to, along an axis with this number
+/// of pixels of the face, and of the viewport.
+double clipCoordinate(const raster::Face& face, double x, double w, int pixels, int viewport) {
+  const double subPixels = 128.0 * pixels;  // in a unit of x/w
+  const double snapped = w < face.nearDistance ? x : std::nearbyint(x / w * subPixels) / subPixels * w;
+  const double moved = face.sample == raster::SamplePlace::Corner ? w / pixels : 0;
+  return (snapped + moved) * pixels / viewport;
 }
 
 class FixedFunction final : public OpenGlPipeline {
@@ -114,8 +118,10 @@ class FixedFunction final : public OpenGlPipeline {
   explicit FixedFunction(const raster::DrawList& list);
   OpenGlPixels pixels() const override { return {GL_RGBA8, GL_RGBA, GL_UNSIGNED_INT_8_8_8_8_REV}; }
   GLenum textureTarget() const override { return GL_TEXTURE_RECTANGLE; }
+  /// In a scene the depth is n/w, unless it is stored as 1 - n/w.
+  bool hasReversedDepths() const override { return isScene_ && !isStored_; }
   void clear(ItemId background) const override { glClearBufferfv(GL_COLOR, 0, &colourOf(background)[0]); }
-  void setView(const raster::Face& face, int width) override;
+  void setView(const raster::Face& face, const DeviceViewport& viewport) override;
   /// The offset is a colour, which is set per draw, and the fronts of a draw are drawn before its backs.
   bool joins(const raster::Draw&, const raster::Draw&) const override { return false; }
   void draw(const raster::Draw& draw, const VertexRuns& runs) override;
@@ -126,20 +132,24 @@ class FixedFunction final : public OpenGlPipeline {
     glm::vec4 texel, position;
   };
 
+  glm::vec4 clipPosition(const raster::Face& face, const DeviceViewport& viewport, const Corner& corner) const;
+
+  bool isScene_, isStored_;
   std::vector<Corners> triangles_;
   std::vector<Vertex> vertices_;  ///< of the current view
 };
 
-FixedFunction::FixedFunction(const raster::DrawList& list) : triangles_(preparedTriangles(list)) {
+FixedFunction::FixedFunction(const raster::DrawList& list)
+    : isScene_(list.clipDepth == raster::ClipDepth::None),
+      isStored_(list.depthPrecision != raster::DepthPrecision::Exact),
+      triangles_(preparedTriangles(list)) {
   if (!addsAsBytes(list))
     throw raster::InputError("fixed-function hardware cannot add item IDs of these channels",
                              "use r8g8b8 or r8g8b8a8 with a clamped add, aligned offsets, or the shader path");
   if (list.value != raster::PixelValue::ItemIds)
-    throw raster::InputError("fixed-function hardware has no triangle numbers", "use the shader path");
+    throw raster::InputError("fixed-function hardware draws item IDs alone", "use the shader path");
   if (std::any_of(list.indexMaps.begin(), list.indexMaps.end(), raster::hasHoles))
     throw raster::InputError("fixed-function hardware cannot discard the holes of index maps", "use the shader path");
-  glDepthFunc(GL_GREATER);
-  glClearDepth(0);
   glDisable(GL_DITHER);
   glShadeModel(GL_FLAT);
   // The texture environment adds the texel to the colour, or replaces it.
@@ -150,14 +160,29 @@ FixedFunction::FixedFunction(const raster::DrawList& list) : triangles_(prepared
   glInterleavedArrays(GL_T4F_V4F, 0, nullptr);
 }
 
-void FixedFunction::setView(const raster::Face& face, int width) {
+glm::vec4 FixedFunction::clipPosition(const raster::Face& face, const DeviceViewport& viewport,
+                                      const Corner& corner) const {
+  const raster::ViewVertex view = raster::view(face, corner.position, corner.texel);
+  const raster::Viewport size = raster::viewportOf(face);
+  const double nearDistance = face.nearDistance;
+  return glm::dvec4(clipCoordinate(face, view.x, view.w, size.columns, viewport.columns),
+                    clipCoordinate(face, view.y, view.w, size.rows, viewport.rows),
+                    !isScene_   ? static_cast<double>(corner.clipZ)
+                    : isStored_ ? view.w - nearDistance
+                                : nearDistance,
+                    view.w);
+}
+
+void FixedFunction::setView(const raster::Face& face, const DeviceViewport& viewport) {
   vertices_.clear();
   for (const Corners& corners : triangles_) {
-    std::array<raster::ViewVertex, 3> views;
-    for (std::size_t k = 0; k < 3; ++k) views[k] = raster::view(face, corners[k].position, corners[k].texel);
-    if (!raster::areFinite(views)) views.fill({0, 0, 1, 0, 0});
-    for (std::size_t k = 0; k < 3; ++k)
-      vertices_.push_back({glm::vec4(corners[k].texel, 0, 1), clipPosition(face, views[k], width)});
+    std::array<glm::vec4, 3> positions;
+    for (std::size_t k = 0; k < 3; ++k) positions[k] = clipPosition(face, viewport, corners[k]);
+    const auto isFinite = [](const glm::vec4& p) {
+      return !glm::any(glm::isnan(p)) && !glm::any(glm::isinf(p));
+    };
+    if (!std::all_of(positions.begin(), positions.end(), isFinite)) positions.fill({0, 0, 0, 1});
+    for (std::size_t k = 0; k < 3; ++k) vertices_.push_back({glm::vec4(corners[k].texel, 0, 1), positions[k]});
   }
   glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(vertices_.size() * sizeof(Vertex)), vertices_.data(),
                GL_STREAM_DRAW);

@@ -1,16 +1,19 @@
 #include "reference/devices/opengl/opengl_renderer.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <utility>
 
 #include "raster/base/input_error.h"
 #include "raster/base/parallel.h"
+#include "raster/interface/depth_test.h"
 #include "reference/devices/batches.h"
 #include "reference/devices/opengl/context.h"
 #include "reference/devices/opengl/fixed_function_pipeline.h"
 #include "reference/devices/opengl/plain_pipeline.h"
 #include "reference/devices/opengl/shader_pipeline.h"
+#include "reference/devices/passed_samples.h"
 #include "reference/devices/viewport.h"
 
 namespace hemitex::reference {
@@ -58,7 +61,13 @@ struct Framebuffer {
   GLuint framebuffer = 0, colour = 0, depth = 0;
 };
 
-Framebuffer makeFramebuffer(const raster::ItemBuffer& size, GLint colourStorage) {
+GLint depthStorage(raster::DepthPrecision precision) {
+  if (precision == raster::DepthPrecision::Unorm16) return GL_DEPTH_COMPONENT16;
+  return precision == raster::DepthPrecision::Unorm24 ? GL_DEPTH_COMPONENT24 : GL_DEPTH_COMPONENT32F;
+}
+
+/// Counts are the second output of the shaders, the only one that is then drawn.
+Framebuffer makeFramebuffer(const raster::ItemBuffer& size, GLint colourStorage, GLint depthStorage, bool areCounts) {
   Framebuffer made;
   glCreateFramebuffers(1, &made.framebuffer);
   const auto attach = [&](GLuint& buffer, GLenum attachment, GLint storage) {
@@ -67,8 +76,20 @@ Framebuffer makeFramebuffer(const raster::ItemBuffer& size, GLint colourStorage)
     glNamedFramebufferRenderbuffer(made.framebuffer, attachment, GL_RENDERBUFFER, buffer);
   };
   attach(made.colour, GL_COLOR_ATTACHMENT0, colourStorage);
-  attach(made.depth, GL_DEPTH_ATTACHMENT, GL_DEPTH_COMPONENT32F);
+  attach(made.depth, GL_DEPTH_ATTACHMENT, depthStorage);
+  constexpr std::array<GLenum, 2> second{GL_NONE, GL_COLOR_ATTACHMENT0};
+  if (areCounts) glNamedFramebufferDrawBuffers(made.framebuffer, 2, second.data());
   return made;
+}
+
+/// The nearer or the farther fragment passes. Depths are cleared to the end of their range that always loses.
+void setDepthTest(raster::DepthTest test, bool areReversed) {
+  const bool keepsLarger = raster::keepsFarther(test) != areReversed;
+  const bool keepsLast = raster::keepsLast(test);
+  const GLenum larger = keepsLast ? GL_GEQUAL : GL_GREATER, smaller = keepsLast ? GL_LEQUAL : GL_LESS;
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(keepsLarger ? larger : smaller);
+  glClearDepth(keepsLarger ? 0 : 1);
 }
 
 class OpenGlRenderer final : public raster::ItemBufferRenderer {
@@ -81,6 +102,8 @@ class OpenGlRenderer final : public raster::ItemBufferRenderer {
   void bindFramebuffer(const raster::ItemBuffer& size);
   void setView(const raster::Face& face);
   void drawFace(const raster::Face& face, const std::vector<DrawBatch>& batches, raster::ItemBuffer& buffer);
+  bool areCounts() const { return list_.value == raster::PixelValue::PassedSamples; }
+  OpenGlPixels targetPixels() const;
 
   raster::DrawList list_;
   std::unique_ptr<OpenGlContext> context_;
@@ -99,14 +122,20 @@ std::unique_ptr<OpenGlContext> openDevice(const std::string& name) {
 }
 
 OpenGlRenderer::OpenGlRenderer(const raster::DrawList& list, OpenGlPath path, const std::string& name)
-    : list_(list), context_(openDevice(name)) {
-  raster::validate(list);
-  raster::requireUsual(list);
+    : list_(raster::assembled(list)), context_(openDevice(name)) {
+  raster::validate(list_);
   const OpenGlContext::Use use(*context_);
   pipeline_ = makePipeline(list_, path);
-  if (pipeline_->textureTarget() != GL_NONE) textures_ = makeTextures(list.indexMaps, *pipeline_);
-  glEnable(GL_DEPTH_TEST);
-  glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
+  if (pipeline_->textureTarget() != GL_NONE) textures_ = makeTextures(list_.indexMaps, *pipeline_);
+  setDepthTest(list_.depthTest, pipeline_->hasReversedDepths());
+  glClipControl(GL_LOWER_LEFT,
+                list_.clipDepth == raster::ClipDepth::MinusOneToOne ? GL_NEGATIVE_ONE_TO_ONE : GL_ZERO_TO_ONE);
+  if (areCounts()) glEnable(GL_BLEND);
+  glBlendFunc(GL_ONE, GL_ONE);
+}
+
+OpenGlPixels OpenGlRenderer::targetPixels() const {
+  return areCounts() ? OpenGlPixels{GL_R32F, GL_RED, GL_FLOAT} : pipeline_->pixels();
 }
 
 /// The faces of a hemicube have two sizes, so the framebuffers of some sizes are kept.
@@ -121,18 +150,20 @@ void OpenGlRenderer::bindFramebuffer(const raster::ItemBuffer& size) {
     }
     framebuffers_.clear();
   }
-  if (!framebuffers_.contains(key)) framebuffers_[key] = makeFramebuffer(size, pipeline_->pixels().storage);
+  if (!framebuffers_.contains(key))
+    framebuffers_[key] =
+        makeFramebuffer(size, targetPixels().storage, depthStorage(list_.depthPrecision), areCounts());
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffers_[key].framebuffer);
 }
 
 void OpenGlRenderer::setView(const raster::Face& face) {
   const DeviceViewport viewport =
       viewportOf(face, pipeline_->viewportWidth(), openGlLimit(GL_MAX_VIEWPORT_DIMS), "OpenGL");
-  glViewport(viewport.x, viewport.y, viewport.side, viewport.side);
+  glViewport(viewport.x, viewport.y, viewport.columns, viewport.rows);
   // docs/item-buffers.md, "facing": front-facing if the area and the determinant differ in sign. OpenGL also computes
   // the area in columns and rows, and calls a negative area clockwise.
-  glFrontFace(raster::determinant(face) > 0 ? GL_CW : GL_CCW);
-  pipeline_->setView(face, viewport.width);
+  glFrontFace((raster::determinant(face) > 0) != (list_.front == raster::Winding::Clockwise) ? GL_CW : GL_CCW);
+  pipeline_->setView(face, viewport);
 }
 
 void OpenGlRenderer::drawFace(const raster::Face& face, const std::vector<DrawBatch>& batches,
@@ -140,7 +171,12 @@ void OpenGlRenderer::drawFace(const raster::Face& face, const std::vector<DrawBa
   buffer.resize(face.scissor);
   bindFramebuffer(buffer);
   setView(face);
-  pipeline_->clear(raster::backgroundId(list_.format));
+  if (areCounts()) {
+    constexpr std::array<GLfloat, 4> none{};
+    glClearBufferfv(GL_COLOR, 1, none.data());
+  } else {
+    pipeline_->clear(raster::clearedValue(list_));
+  }
   glClear(GL_DEPTH_BUFFER_BIT);
   for (const DrawBatch& batch : batches) {
     const raster::Draw& draw = *batch.draw;
@@ -148,18 +184,16 @@ void OpenGlRenderer::drawFace(const raster::Face& face, const std::vector<DrawBa
     if (!textures_.empty()) glBindTexture(pipeline_->textureTarget(), textures_[map]);
     pipeline_->draw(draw, batch.runs);
   }
-  const OpenGlPixels pixels = pipeline_->pixels();
+  const OpenGlPixels pixels = targetPixels();
   glReadPixels(0, 0, buffer.width, buffer.height, pixels.format, pixels.type, buffer.ids.data());
   if (const GLenum error = glGetError(); error != GL_NO_ERROR)
     throw InputError("the OpenGL device fails with error " + std::to_string(error));
+  if (areCounts()) readCounts(buffer);
 }
 
 void OpenGlRenderer::draw(std::span<const raster::Face> faces, std::span<const std::uint32_t> skipped,
                           std::vector<raster::ItemBuffer>& buffers, const std::function<void(std::size_t)>& drawn) {
-  for (const raster::Face& face : faces) {
-    raster::validate(face);
-    raster::requireUsual(face);
-  }
+  for (const raster::Face& face : faces) raster::validate(face);
   const OpenGlContext::Use use(*context_);
   const auto joins = [this](const raster::Draw& draw, const raster::Draw& next) {
     return pipeline_->joins(draw, next);

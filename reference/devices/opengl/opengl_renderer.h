@@ -31,7 +31,7 @@ enum class OpenGlPath {
 /// Draws with the first device whose name contains `name`. Throws InputError if the list breaks the rules, there is no
 /// device (see context.h), or an index map exceeds the device's textures, on the shader path its buffers. Also throws
 /// it if the path cannot draw the list. Fixed-function hardware adds only channels of 8 bits with clamping and, in any
-/// format, item IDs that share no bits. It discards no holes.
+/// format, item IDs that share no bits. It discards no holes, and draws no values but item IDs.
 ///
 /// Drawing throws InputError if a face breaks the rules or exceeds the device's viewport, or if the device fails. The
 /// fixed-function path draws the fronts of a draw before its backs: at equal depths the front is visible.

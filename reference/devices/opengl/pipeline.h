@@ -1,9 +1,9 @@
 /// The interface of the pipelines of makeOpenGlRenderer, which convert the vertices of a draw to item IDs, and what
 /// several of them use: fixed_function_pipeline.h, shader_pipeline.h and plain_pipeline.h.
 ///
-/// Clip coordinates are (x / width, y / width, z, w), where a unit of x / w is half the side of the face. The viewport
-/// is `width` times as wide as the face. With a width of 8 the device clips triangles at sides so far out that clipping
-/// changes no visible edge.
+/// Clip coordinates are (x, y, z, w), where a unit of x / w is half the side of the device's viewport. It is up to 8
+/// times as wide as the face (viewport.h), so that the device clips triangles at sides so far out that clipping changes
+/// no visible edge.
 #pragma once
 
 #include <epoxy/gl.h>
@@ -15,6 +15,7 @@
 #include "raster/interface/draw_list.h"
 #include "raster/interface/face.h"
 #include "reference/devices/batches.h"
+#include "reference/devices/viewport.h"
 
 namespace hemitex::reference {
 
@@ -33,9 +34,11 @@ class OpenGlPipeline {
   virtual GLenum textureTarget() const = 0;
   /// The width that the viewport should have, in faces; less on devices with small viewports.
   virtual int viewportWidth() const { return 8; }
+  /// Whether larger depths are nearer.
+  virtual bool hasReversedDepths() const { return false; }
   /// Sets all item IDs to `background`.
   virtual void clear(raster::ItemId background) const { glClearBufferuiv(GL_COLOR, 0, &background); }
-  virtual void setView(const raster::Face& face, int width) = 0;
+  virtual void setView(const raster::Face& face, const DeviceViewport& viewport) = 0;
   /// Whether both draws can be drawn as one.
   virtual bool joins(const raster::Draw& draw, const raster::Draw& next) const = 0;
   /// Requires that the texture of the draw's index map is bound, if there are textures; without a map, a texture of a

@@ -18,12 +18,17 @@ constexpr const char* vertexText = R"(#version 450
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec2 texcoord;
 layout(location = 2) in uint drawOffset;
+layout(location = 3) in float clipZ;
 layout(location = 0) uniform mat4 matrix;
+layout(location = 4) uniform bool isClipSpace;
+layout(location = 5) uniform vec2 sampleOffset;  // in clip space, for w = 1
 out vec2 uv;
 flat out uint offset;
 
 void main() {
   gl_Position = matrix * vec4(position, 1);
+  if (isClipSpace) gl_Position.z = clipZ;
+  gl_Position.xy += sampleOffset * gl_Position.w;
   uv = texcoord;
   offset = drawOffset;
 }
@@ -54,9 +59,11 @@ layout(location = 2) uniform bool hasBack;
 layout(binding = 0) uniform usampler2D map;
 in vec2 uv;
 flat in uint offset;
-out uint id;
+layout(location = 0) out uint id;
+layout(location = 1) out float passed;  // where pixels hold counts, a blend unit adds it
 
 void main() {
+  passed = 1;
   uint texel = texture(map, uv).x;
   if (hasHoles && texel == ~0u) discard;
   id = hasBack && !gl_FrontFacing ? back : sum(offset, isNumbered ? 0u : texel);
@@ -69,7 +76,7 @@ std::string constantsOf(const raster::DrawList& list) {
     return "const bool " + name + (value ? " = true;\n" : " = false;\n");
   };
   return constant("hasHoles", std::any_of(list.indexMaps.begin(), list.indexMaps.end(), raster::hasHoles)) +
-         constant("isNumbered", list.value == raster::PixelValue::TriangleNumbers);
+         constant("isNumbered", list.value != raster::PixelValue::ItemIds);
 }
 
 /// The largest value of each channel of a map's item IDs, holes aside.
@@ -98,37 +105,47 @@ bool clamps(const raster::DrawList& list) {
   });
 }
 
-/// The bits of position, texture coordinates and offset, which have an order even where a number is not finite.
-using Vertex = std::array<std::uint32_t, 6>;
+/// The bits of position, texture coordinates, offset and z, which have an order even where a number is not finite.
+using Vertex = std::array<std::uint32_t, 7>;
 
-/// Makes and binds buffers of the vertices of all draws, and of the index of each corner, draw after draw. The offset
-/// of a vertex is that of its draw, 0 if texels replace it, or the number of its triangle if pixels hold that. Corners
-/// with equal values share a vertex.
+/// The offset of a vertex: that of its draw, 0 if texels replace it, or the number of its triangle if pixels hold that.
+/// With vertex values the device takes that of the provoking vertex.
+ItemId offsetOf(const raster::DrawList& list, const raster::Draw& draw, std::uint32_t index) {
+  if (list.value == raster::PixelValue::VertexValues) return draw.offset + list.vertexValues[list.indices[index]];
+  if (list.value != raster::PixelValue::ItemIds) return raster::flatValue(list, draw, index / 3);
+  return draw.indexMap && list.blend == raster::Blend::Replace ? 0 : draw.offset;
+}
+
+Vertex vertexOf(const raster::DrawList& list, const raster::Draw& draw, std::uint32_t index) {
+  const auto bits = [](float number) { return std::bit_cast<std::uint32_t>(number); };
+  const std::uint32_t vertex = list.indices[index];
+  const glm::vec3& position = list.positions[vertex];
+  const glm::vec2& texcoord = list.texcoords[vertex];
+  return {bits(position.x), bits(position.y),         bits(position.z),
+          bits(texcoord.x), bits(texcoord.y),         offsetOf(list, draw, index),
+          bits(list.clipZ.empty() ? 0 : list.clipZ[vertex])};
+}
+
+/// Makes and binds buffers of the vertices of all draws, and of the index of each corner, draw after draw. Corners with
+/// equal values share a vertex.
 void uploadVertices(const raster::DrawList& list) {
   std::vector<Vertex> vertices;
   std::vector<std::uint32_t> indices;
   std::map<Vertex, std::uint32_t> known;
-  const auto bits = [](float number) { return std::bit_cast<std::uint32_t>(number); };
-  for (const raster::Draw& draw : list.draws) {
-    const bool isNumbered = list.value == raster::PixelValue::TriangleNumbers;
-    const bool isReplaced = draw.indexMap && list.blend == raster::Blend::Replace && !isNumbered;
+  for (const raster::Draw& draw : list.draws)
     for (std::uint32_t i = draw.first; i < draw.first + draw.count; ++i) {
-      const glm::vec3& position = list.positions[list.indices[i]];
-      const glm::vec2& texcoord = list.texcoords[list.indices[i]];
-      const ItemId offset = isNumbered ? triangleNumber(draw, i / 3) : isReplaced ? 0 : draw.offset;
-      const Vertex vertex{bits(position.x), bits(position.y), bits(position.z),
-                          bits(texcoord.x), bits(texcoord.y), offset};
+      const Vertex vertex = vertexOf(list, draw, i);
       const auto [place, isNew] = known.try_emplace(vertex, static_cast<std::uint32_t>(vertices.size()));
       if (isNew) vertices.push_back(vertex);
       indices.push_back(place->second);
     }
-  }
   glBindVertexBuffer(0, makeBuffer(std::as_bytes(std::span(vertices))), 0, sizeof(Vertex));
   glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, makeBuffer(std::as_bytes(std::span(indices))));
   glVertexAttribFormat(0, 3, GL_FLOAT, GL_FALSE, 0);
   glVertexAttribFormat(1, 2, GL_FLOAT, GL_FALSE, 12);
   glVertexAttribIFormat(2, 1, GL_UNSIGNED_INT, 20);
-  for (GLuint attribute = 0; attribute < 3; ++attribute) {
+  glVertexAttribFormat(3, 1, GL_FLOAT, GL_FALSE, 24);
+  for (GLuint attribute = 0; attribute < 4; ++attribute) {
     glVertexAttribBinding(attribute, 0);
     glEnableVertexAttribArray(attribute);
   }
@@ -140,11 +157,14 @@ class Plain final : public OpenGlPipeline {
     const bool isClamped = clamps(list);
     useProgram(vertexText, (isClamped ? clampedSumText : integerSumText) + constantsOf(list) + fragmentText);
     glUniform1ui(3, isClamped ? channelEnds(list.format) : raster::backgroundId(list.format));
+    glUniform1i(4, list.clipDepth != raster::ClipDepth::None);
+    glProvokingVertex(list.provoking == raster::Provoking::First ? GL_FIRST_VERTEX_CONVENTION
+                                                                 : GL_LAST_VERTEX_CONVENTION);
     uploadVertices(list);
   }
   GLenum textureTarget() const override { return GL_TEXTURE_2D; }
   int viewportWidth() const override { return 1; }
-  void setView(const raster::Face& face, int width) override;
+  void setView(const raster::Face& face, const DeviceViewport& viewport) override;
   /// Each vertex has the offset of its draw.
   bool joins(const raster::Draw& draw, const raster::Draw& next) const override {
     return draw.back == next.back && draw.indexMap == next.indexMap && draw.cull == next.cull;
@@ -152,13 +172,15 @@ class Plain final : public OpenGlPipeline {
   void draw(const raster::Draw& draw, const VertexRuns& runs) override;
 };
 
-/// The depth is 1 - n/w, that of a perspective projection without a far plane.
-void Plain::setView(const raster::Face& face, int) {
+/// In a scene the depth is 1 - n/w, that of a perspective projection without a far plane.
+void Plain::setView(const raster::Face& face, const DeviceViewport& viewport) {
   const auto row = [&face](const glm::vec3& axis, float added) {
     return glm::vec4(axis, added - glm::dot(axis, face.eye));
   };
   const glm::mat4 rows(row(face.x, 0), row(face.y, 0), row(face.w, -face.nearDistance), row(face.w, 0));
   glUniformMatrix4fv(0, 1, GL_TRUE, &rows[0][0]);
+  const float halfPixels = face.sample == raster::SamplePlace::Corner ? 1 : 0;
+  glUniform2f(5, halfPixels / static_cast<float>(viewport.columns), halfPixels / static_cast<float>(viewport.rows));
 }
 
 void Plain::draw(const raster::Draw& draw, const VertexRuns& runs) {

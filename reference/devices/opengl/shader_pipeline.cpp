@@ -29,18 +29,18 @@ class Shader final : public OpenGlPipeline {
     glBindBufferBase(GL_UNIFORM_BUFFER, 0, makeBuffer());
   }
   GLenum textureTarget() const override { return GL_NONE; }
-  void setView(const raster::Face& face, int width) override {
-    const ShaderView view = shaderView(face, list_, width);
+  void setView(const raster::Face& face, const DeviceViewport& viewport) override {
+    const ShaderView view = shaderView(face, list_, viewport);
     glBufferData(GL_UNIFORM_BUFFER, sizeof view, &view, GL_STREAM_DRAW);
   }
   /// Each corner has the number of its draw.
   bool joins(const raster::Draw&, const raster::Draw&) const override { return true; }
-  /// Six invocations per triangle (item_ids.vert).
   void draw(const raster::Draw&, const VertexRuns& runs) override {
-    VertexRuns doubled = runs;
-    for (int& first : doubled.first) first *= 2;
-    for (int& count : doubled.count) count *= 2;
-    drawRuns(doubled);
+    const int triangles = shaderTriangles(list_);
+    VertexRuns invocations = runs;
+    for (int& first : invocations.first) first *= triangles;
+    for (int& count : invocations.count) count *= triangles;
+    drawRuns(invocations);
   }
 
  private:

@@ -2,6 +2,7 @@
 
 #include <span>
 
+#include "raster/interface/depth_test.h"
 #include "reference/devices/shader_inputs.h"
 
 // SPIR-V: CMake compiles the shaders to these arrays of integers.
@@ -57,7 +58,14 @@ vk::raii::ShaderModule makeShader(const VulkanContext& context, std::span<const 
   return {context.device, vk::ShaderModuleCreateInfo{.codeSize = code.size_bytes(), .pCode = code.data()}};
 }
 
-vk::raii::Pipeline makeGraphicsPipeline(const VulkanContext& context, const vk::raii::PipelineLayout& layout) {
+vk::CompareOp compareOf(raster::DepthTest test) {
+  const bool keepsLast = raster::keepsLast(test);
+  if (raster::keepsFarther(test)) return keepsLast ? vk::CompareOp::eGreaterOrEqual : vk::CompareOp::eGreater;
+  return keepsLast ? vk::CompareOp::eLessOrEqual : vk::CompareOp::eLess;
+}
+
+vk::raii::Pipeline makeGraphicsPipeline(const VulkanContext& context, const vk::raii::PipelineLayout& layout,
+                                        const TargetFormats& formats, raster::DepthTest test) {
   const vk::raii::ShaderModule vertex = makeShader(context, itemIdsVertex),
                                fragment = makeShader(context, itemIdsFragment);
   const std::array<vk::PipelineShaderStageCreateInfo, 2> stages{
@@ -70,16 +78,22 @@ vk::raii::Pipeline makeGraphicsPipeline(const VulkanContext& context, const vk::
   const vk::PipelineViewportStateCreateInfo oneViewport{.viewportCount = 1, .scissorCount = 1};
   const vk::PipelineRasterizationStateCreateInfo bothFacings{.cullMode = vk::CullModeFlagBits::eNone, .lineWidth = 1};
   const vk::PipelineMultisampleStateCreateInfo oneSample{.rasterizationSamples = vk::SampleCountFlagBits::e1};
-  const vk::PipelineDepthStencilStateCreateInfo nearer{
-      .depthTestEnable = true, .depthWriteEnable = true, .depthCompareOp = vk::CompareOp::eLess};
-  const vk::PipelineColorBlendAttachmentState unblended{.colorWriteMask = vk::ColorComponentFlagBits::eR};
-  const auto replace = vk::PipelineColorBlendStateCreateInfo().setAttachments(unblended);
+  const vk::PipelineDepthStencilStateCreateInfo depthTest{
+      .depthTestEnable = true, .depthWriteEnable = true, .depthCompareOp = compareOf(test)};
+  const bool areCounts = formats.areCounts();
+  const vk::PipelineColorBlendAttachmentState output{.blendEnable = areCounts,
+                                                     .srcColorBlendFactor = vk::BlendFactor::eOne,
+                                                     .dstColorBlendFactor = vk::BlendFactor::eOne,
+                                                     .colorWriteMask = vk::ColorComponentFlagBits::eR};
+  const std::array<vk::PipelineColorBlendAttachmentState, 2> outputs{output, output};
+  const std::array<vk::Format, 2> second{vk::Format::eUndefined, formats.colour};
+  vk::PipelineColorBlendStateCreateInfo blend;
+  vk::PipelineRenderingCreateInfo targets{.depthAttachmentFormat = formats.depth};
+  areCounts ? blend.setAttachments(outputs) : blend.setAttachments(output);
+  areCounts ? targets.setColorAttachmentFormats(second) : targets.setColorAttachmentFormats(formats.colour);
   constexpr std::array<vk::DynamicState, 3> perView{vk::DynamicState::eViewport, vk::DynamicState::eScissor,
                                                     vk::DynamicState::eFrontFace};
   const auto dynamic = vk::PipelineDynamicStateCreateInfo().setDynamicStates(perView);
-  const auto targets =
-      vk::PipelineRenderingCreateInfo{.depthAttachmentFormat = VulkanPipeline::depthFormat}.setColorAttachmentFormats(
-          VulkanPipeline::colourFormat);
   return {context.device, nullptr,
           vk::GraphicsPipelineCreateInfo{.pNext = &targets,
                                          .pVertexInputState = &noAttributes,
@@ -87,8 +101,8 @@ vk::raii::Pipeline makeGraphicsPipeline(const VulkanContext& context, const vk::
                                          .pViewportState = &oneViewport,
                                          .pRasterizationState = &bothFacings,
                                          .pMultisampleState = &oneSample,
-                                         .pDepthStencilState = &nearer,
-                                         .pColorBlendState = &replace,
+                                         .pDepthStencilState = &depthTest,
+                                         .pColorBlendState = &blend,
                                          .pDynamicState = &dynamic,
                                          .layout = *layout}
               .setStages(stages)};
@@ -97,14 +111,15 @@ vk::raii::Pipeline makeGraphicsPipeline(const VulkanContext& context, const vk::
 }  // namespace
 
 VulkanPipeline makePipeline(const VulkanContext& context, const raster::DrawList& list) {
+  const TargetFormats formats = targetFormats(context, list);
   std::array<VulkanBuffer, 3> arrays = uploadDrawList(context, list);
   vk::raii::DescriptorSetLayout buffers = makeBufferLayout(context);
   vk::raii::DescriptorPool pool = makeDescriptorPool(context);
   vk::raii::DescriptorSet descriptors = makeDescriptors(context, pool, buffers, arrays);
   vk::raii::PipelineLayout layout = makeLayout(context, buffers);
-  vk::raii::Pipeline pipeline = makeGraphicsPipeline(context, layout);
-  return {std::move(arrays),      std::move(buffers), std::move(pool),
-          std::move(descriptors), std::move(layout),  std::move(pipeline)};
+  vk::raii::Pipeline pipeline = makeGraphicsPipeline(context, layout, formats, list.depthTest);
+  return {formats,           std::move(arrays), std::move(buffers), std::move(pool), std::move(descriptors),
+          std::move(layout), std::move(pipeline)};
 }
 
 }  // namespace hemitex::reference

@@ -5,14 +5,12 @@
 #include <array>
 
 #include "raster/interface/draw_list.h"
-#include "reference/devices/vulkan/memory.h"
+#include "reference/devices/vulkan/render_targets.h"
 
 namespace hemitex::reference {
 
 struct VulkanPipeline {
-  static constexpr vk::Format colourFormat = vk::Format::eR32Uint;
-  static constexpr vk::Format depthFormat = vk::Format::eD32Sfloat;
-
+  TargetFormats formats;
   std::array<VulkanBuffer, 3> arrays;  ///< corners, draws, texels
   vk::raii::DescriptorSetLayout buffers;
   vk::raii::DescriptorPool pool;
@@ -21,7 +19,8 @@ struct VulkanPipeline {
   vk::raii::Pipeline pipeline;          ///< the front face, the viewport and the scissor are set per view
 };
 
-/// Throws InputError if an array is larger than the buffers of the device.
+/// Throws InputError if an array of the assembled list is larger than the buffers of the device, or if the device has no
+/// targets of its depths or counts.
 VulkanPipeline makePipeline(const VulkanContext& context, const raster::DrawList& list);
 
 }  // namespace hemitex::reference

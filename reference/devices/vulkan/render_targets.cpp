@@ -1,8 +1,10 @@
 #include "reference/devices/vulkan/render_targets.h"
 
 #include <array>
+#include <string>
 
-#include "reference/devices/vulkan/pipeline.h"
+#include "raster/base/input_error.h"
+#include "raster/interface/depth_test.h"
 
 namespace hemitex::reference {
 namespace {
@@ -10,14 +12,35 @@ namespace {
 using Aspect = vk::ImageAspectFlagBits;
 using Layout = vk::ImageLayout;
 
+void requireFormat(const VulkanContext& context, vk::Format format, vk::FormatFeatureFlagBits use,
+                   const std::string& what) {
+  if (!(context.physicalDevice.getFormatProperties(format).optimalTilingFeatures & use))
+    throw raster::InputError("the Vulkan device has no targets of " + what);
+}
+
+vk::Format depthFormat(raster::DepthPrecision precision) {
+  if (precision == raster::DepthPrecision::Unorm16) return vk::Format::eD16Unorm;
+  return precision == raster::DepthPrecision::Unorm24 ? vk::Format::eX8D24UnormPack32 : vk::Format::eD32Sfloat;
+}
+
 }  // namespace
 
-RenderTargets makeRenderTargets(const VulkanContext& context, vk::Extent2D size) {
+TargetFormats targetFormats(const VulkanContext& context, const raster::DrawList& list) {
+  using Feature = vk::FormatFeatureFlagBits;
+  const bool areCounts = list.value == raster::PixelValue::PassedSamples;
+  const TargetFormats formats{areCounts ? vk::Format::eR32Sfloat : vk::Format::eR32Uint,
+                              depthFormat(list.depthPrecision)};
+  if (areCounts) requireFormat(context, formats.colour, Feature::eColorAttachmentBlend, "counts of passed samples");
+  requireFormat(context, formats.depth, Feature::eDepthStencilAttachment, "depths of this precision");
+  return formats;
+}
+
+RenderTargets makeRenderTargets(const VulkanContext& context, const TargetFormats& formats, vk::Extent2D size) {
   using Usage = vk::ImageUsageFlagBits;
-  return {size,
-          makeImage(context, VulkanPipeline::colourFormat, Aspect::eColor,
-                    Usage::eColorAttachment | Usage::eTransferSrc, size),
-          makeImage(context, VulkanPipeline::depthFormat, Aspect::eDepth, Usage::eDepthStencilAttachment, size)};
+  return {
+      size,
+      makeImage(context, formats.colour, Aspect::eColor, Usage::eColorAttachment | Usage::eTransferSrc, size),
+      makeImage(context, formats.depth, Aspect::eDepth, Usage::eDepthStencilAttachment, size)};
 }
 
 vk::Extent2D sizeOf(const raster::Face& face) {
@@ -43,23 +66,26 @@ void changeLayout(const vk::raii::CommandBuffer& commands, const VulkanImage& im
 }
 
 void beginRendering(const vk::raii::CommandBuffer& commands, const RenderTargets& targets, const raster::Face& face,
-                    raster::ItemId background) {
-  const vk::RenderingAttachmentInfo colour{
-      .imageView = *targets.colour.view,
-      .imageLayout = Layout::eColorAttachmentOptimal,
+                    const raster::DrawList& list) {
+  // A count of 0 has the bits of the number 0.
+  const std::array<std::uint32_t, 4> cleared{raster::clearedValue(list), 0, 0, 0};
+  const vk::RenderingAttachmentInfo colour{.imageView = *targets.colour.view,
+                                           .imageLayout = Layout::eColorAttachmentOptimal,
+                                           .loadOp = vk::AttachmentLoadOp::eClear,
+                                           .storeOp = vk::AttachmentStoreOp::eStore,
+                                           .clearValue = {vk::ClearColorValue(cleared)}};
+  const vk::RenderingAttachmentInfo depth{
+      .imageView = *targets.depth.view,
+      .imageLayout = Layout::eDepthStencilAttachmentOptimal,
       .loadOp = vk::AttachmentLoadOp::eClear,
-      .storeOp = vk::AttachmentStoreOp::eStore,
-      .clearValue = {vk::ClearColorValue(std::array<std::uint32_t, 4>{background, 0, 0, 0})}};
-  const vk::RenderingAttachmentInfo depth{.imageView = *targets.depth.view,
-                                          .imageLayout = Layout::eDepthStencilAttachmentOptimal,
-                                          .loadOp = vk::AttachmentLoadOp::eClear,
-                                          .storeOp = vk::AttachmentStoreOp::eDontCare,
-                                          .clearValue = {vk::ClearDepthStencilValue{1, 0}}};
+      .storeOp = vk::AttachmentStoreOp::eDontCare,
+      .clearValue = {vk::ClearDepthStencilValue{raster::keepsFarther(list.depthTest) ? 0.0F : 1.0F, 0}}};
   changeLayout(commands, targets.colour, Aspect::eColor, Layout::eUndefined, colour.imageLayout);
   changeLayout(commands, targets.depth, Aspect::eDepth, Layout::eUndefined, depth.imageLayout);
-  commands.beginRendering(
-      vk::RenderingInfo{.renderArea = {{0, 0}, sizeOf(face)}, .layerCount = 1, .pDepthAttachment = &depth}
-          .setColorAttachments(colour));
+  const std::array<vk::RenderingAttachmentInfo, 2> second{vk::RenderingAttachmentInfo{}, colour};
+  vk::RenderingInfo info{.renderArea = {{0, 0}, sizeOf(face)}, .layerCount = 1, .pDepthAttachment = &depth};
+  const bool areCounts = list.value == raster::PixelValue::PassedSamples;
+  commands.beginRendering(areCounts ? info.setColorAttachments(second) : info.setColorAttachments(colour));
 }
 
 }  // namespace hemitex::reference

@@ -7,6 +7,7 @@
 #include "raster/base/input_error.h"
 #include "raster/base/parallel.h"
 #include "reference/devices/batches.h"
+#include "reference/devices/passed_samples.h"
 #include "reference/devices/shader_inputs.h"
 #include "reference/devices/viewport.h"
 #include "reference/devices/vulkan/context.h"
@@ -68,10 +69,10 @@ class VulkanRenderer final : public raster::ItemBufferRenderer {
 };
 
 VulkanRenderer::VulkanRenderer(const raster::DrawList& list, const std::string& name)
-    : list_(list),
+    : list_(raster::assembled(list)),
       context_(openVulkanDevice(name)),
       largestViewport_(largestViewport(context_)),
-      pipeline_(makePipeline(context_, list)),
+      pipeline_(makePipeline(context_, list_)),
       commandPool_(makeCommandPool(context_)),
       commands_(makeCommands(context_, commandPool_)) {}
 
@@ -84,7 +85,7 @@ void VulkanRenderer::makeRoom(std::span<const Face> faces) {
     size.height = std::max(size.height, sizeOf(face).height);
     outputSize += bytesOf(face);
   }
-  if (!targets_ || targets_->size != size) targets_ = makeRenderTargets(context_, size);
+  if (!targets_ || targets_->size != size) targets_ = makeRenderTargets(context_, pipeline_.formats, size);
   if (outputSize > outputSize_) {
     output_ = makeBuffer(context_, outputSize, vk::BufferUsageFlagBits::eTransferDst);
     outputSize_ = outputSize;
@@ -95,29 +96,30 @@ void VulkanRenderer::recordDraws(const Face& face, const DeviceViewport& viewpor
   commands_.bindPipeline(vk::PipelineBindPoint::eGraphics, *pipeline_.pipeline);
   commands_.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, *pipeline_.layout, 0, *pipeline_.descriptors, {});
   // Row 0 is at y/w = -1 in Vulkan as in the rules.
-  const auto side = static_cast<float>(viewport.side);
   commands_.setViewport(0, vk::Viewport{.x = static_cast<float>(viewport.x),
                                         .y = static_cast<float>(viewport.y),
-                                        .width = side,
-                                        .height = side,
+                                        .width = static_cast<float>(viewport.columns),
+                                        .height = static_cast<float>(viewport.rows),
                                         .minDepth = 0,
                                         .maxDepth = 1});
   commands_.setScissor(0, vk::Rect2D{{0, 0}, sizeOf(face)});
   // docs/item-buffers.md, "facing": front-facing if the area and the determinant differ in sign. Rows count downwards
   // in Vulkan, where a positive area of the rules is clockwise.
-  commands_.setFrontFace(raster::determinant(face) > 0 ? vk::FrontFace::eCounterClockwise : vk::FrontFace::eClockwise);
+  const bool isPositive = raster::determinant(face) > 0, isTurned = list_.front == raster::Winding::Clockwise;
+  commands_.setFrontFace(isPositive != isTurned ? vk::FrontFace::eCounterClockwise : vk::FrontFace::eClockwise);
   commands_.pushConstants<ShaderView>(*pipeline_.layout,
                                       vk::ShaderStageFlagBits::eVertex | vk::ShaderStageFlagBits::eFragment, 0,
-                                      shaderView(face, list_, viewport.width));
-  // The vertex shader makes two triangles of each.
+                                      shaderView(face, list_, viewport));
+  const auto triangles = static_cast<std::uint32_t>(shaderTriangles(list_));
   for (std::size_t r = 0; r < runs.first.size(); ++r)
-    commands_.draw(2 * static_cast<std::uint32_t>(runs.count[r]), 1, 2 * static_cast<std::uint32_t>(runs.first[r]), 0);
+    commands_.draw(triangles * static_cast<std::uint32_t>(runs.count[r]), 1,
+                   triangles * static_cast<std::uint32_t>(runs.first[r]), 0);
 }
 
 /// Draws a face, then copies its item IDs to the output, row 0 first and without padding.
 void VulkanRenderer::recordFace(const Face& face, const DeviceViewport& viewport, const VertexRuns& runs,
                                 std::size_t outputOffset) {
-  beginRendering(commands_, *targets_, face, raster::backgroundId(list_.format));
+  beginRendering(commands_, *targets_, face, list_);
   recordDraws(face, viewport, runs);
   commands_.endRendering();
   changeLayout(commands_, targets_->colour, vk::ImageAspectFlagBits::eColor, Layout::eColorAttachmentOptimal,
@@ -142,10 +144,7 @@ void VulkanRenderer::submit() {
 
 void VulkanRenderer::draw(std::span<const Face> faces, std::span<const std::uint32_t> skipped,
                           std::vector<raster::ItemBuffer>& buffers, const std::function<void(std::size_t)>& drawn) try {
-  for (const Face& face : faces) {
-    raster::validate(face);
-    raster::requireUsual(face);
-  }
+  for (const Face& face : faces) raster::validate(face);
   std::vector<DeviceViewport> viewports;
   for (const Face& face : faces) viewports.push_back(viewportOf(face, 8, largestViewport_, "Vulkan"));
   buffers.resize(faces.size());
@@ -164,6 +163,7 @@ void VulkanRenderer::draw(std::span<const Face> faces, std::span<const std::uint
   for (std::size_t f = 0; f < faces.size(); ids += bytesOf(faces[f]), ++f) {
     buffers[f].resize(faces[f].scissor);
     std::memcpy(buffers[f].ids.data(), ids, bytesOf(faces[f]));
+    if (pipeline_.formats.areCounts()) readCounts(buffers[f]);
   }
   raster::parallelFor(faces.size(), drawn);
 } catch (const vk::SystemError& error) {
@@ -175,7 +175,6 @@ void VulkanRenderer::draw(std::span<const Face> faces, std::span<const std::uint
 std::unique_ptr<raster::ItemBufferRenderer> makeVulkanRenderer(const raster::DrawList& list,
                                                                const std::string& name) try {
   raster::validate(list);
-  raster::requireUsual(list);
   return std::make_unique<VulkanRenderer>(list, name);
 } catch (const vk::SystemError& error) {
   throw failure(error);

@@ -66,16 +66,25 @@ TEST_CASE("makeVulkanRenderer draws random vectors of all families without error
   }
 }
 
-TEST_CASE("makeVulkanRenderer draws holes and triangle numbers, and culls", "[vulkan]") {
+TEST_CASE("makeVulkanRenderer draws version 2 of the rules without errors", "[vulkan]") {
   if (!hasDevice()) return;
-  for (const std::string family : {"holes", "culled-sides", "two-sided", "triangle-numbers"})
-    for (std::uint64_t seed = 0; seed < 30; ++seed) {
-      const TestVector vector = reference::randomVector(seed, family);
-      INFO(vector.name);
-      CHECK(!hasErrors(judge(vector, draw(vector), {})));
-    }
-  CHECK(refusal(reference::randomVector(0, "depth-tests").list).find("nearest triangle") != std::string::npos);
-  CHECK_THROWS_AS(draw(reference::randomVector(0, "viewports")), raster::InputError);
+  tests::Tally all;
+  for (const TestVector& vector : tests::version2Vectors(15)) {
+    INFO(vector.name);
+    const reference::Verdict verdict = judge(vector, draw(vector), {});
+    CHECK(!hasErrors(verdict));
+    all += tests::tallyOf(vector, verdict);
+  }
+  CHECK(all.covered > 10000);
+  CHECK(static_cast<double>(all.exact) >= 0.99 * static_cast<double>(all.covered));
+}
+
+TEST_CASE("makeVulkanRenderer assembles strips, instances and pairs itself", "[vulkan]") {
+  if (!hasDevice()) return;
+  for (const TestVector& vector : reference::drawVectors()) {
+    INFO(vector.name);
+    CHECK(render(*makeVulkanRenderer(sourceOf(vector)), facesOf(vector)).front().ids == draw(vector).front().ids);
+  }
 }
 
 TEST_CASE("openVulkanDevice opens devices of one instance, as many as a process needs", "[vulkan]") {
