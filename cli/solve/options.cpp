@@ -24,9 +24,10 @@ void addUnits(Command command, std::optional<double>& metresPerUnit) {
   command = command.under("Scene");
   const Option units = addChoice<double>(
       command, "--units", metresPerUnit, {{"m", 1.0}, {"cm", 0.01}, {"mm", 0.001}, {"in", 0.0254}, {"ft", 0.3048}},
-      "unit of lengths in the scene (default m). Fluxes in W follow from it; radiosity does not.");
+      "unit of lengths in the scene (default: that of a comment in the OBJ file, or m). Fluxes in W follow from it; "
+      "radiosity does not.");
   addPositive(command, "--scale", metresPerUnit, std::numeric_limits<double>::infinity(),
-              "metres per unit of length in the scene; 0.001 is the same as --units mm (default 1)")
+              "metres per unit of length in the scene; 0.001 is the same as --units mm")
       .excludes(units);
 }
 

@@ -18,7 +18,7 @@ namespace hemitex::cli {
 
 struct SolveOptions {
   SceneOptions scene;
-  std::optional<double> metresPerUnit;  ///< the unit of the scene's lengths; a metre if not given
+  std::optional<double> metresPerUnit;  ///< the unit of the scene's lengths; a metre if neither given nor in the file
   radiosity::DiscretizationSettings discretization;
   std::optional<double> adaptive;
   radiosity::DrawingSettings drawing;

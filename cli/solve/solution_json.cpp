@@ -174,6 +174,12 @@ std::string fluxText(const ordered_json& energy, bool areWavelengths) {
   return text.str();
 }
 
+/// The unit of lengths, if the options or the scene state it.
+std::string unitText(const ordered_json& settings) {
+  const auto metres = settings.find("metres_per_unit");
+  return metres == settings.end() ? "" : "lengths are in units of " + roundedText(*metres) + " m\n";
+}
+
 /// How the emission of materials was read; empty for light from outside only.
 std::string emissionText(const ordered_json& solution) {
   const auto emits = [](const ordered_json& surface) { return sumOf(surface["emission"]) > 0; };
@@ -254,7 +260,8 @@ std::string summary(const ordered_json& solution) {
   if (solution.contains("frames"))
     for (const ordered_json& frame : solution["frames"])
       text << frame["folder"].get<std::string>() << ": " << shotsText(frame, frame["times"]["update_s"]);
-  text << expectedErrorText(solution) << emissionText(solution) << candelaText(solution["settings"])
+  text << expectedErrorText(solution) << unitText(solution["settings"]) << emissionText(solution)
+       << candelaText(solution["settings"])
        << fluxText(solution["energy"], solution.contains("bands"));
   return text.str();
 }

@@ -19,6 +19,7 @@
 #include "cli/solve/run.h"
 #include "cli/solve/run_size.h"
 #include "radiosity/discretization/exposure.h"
+#include "radiosity/meshes/length_unit.h"
 #include "radiosity/solver/dynamic_solution.h"
 #include "radiosity/textures/lit_scene.h"
 #include "raster/base/file_io.h"
@@ -224,6 +225,11 @@ void solve(SolveOptions asked, Context& context) {
   if (asked.isContinued) asked.discretization.isUnburied = true;
   Laps laps;
   const radiosity::Scene scene = sceneOf(asked, console);
+  if (!asked.metresPerUnit) {
+    std::vector<std::string> warnings;
+    asked.metresPerUnit = radiosity::statedMetresPerUnit(asked.scene.file, warnings);
+    console.warnings(warnings);
+  }
   asked.solver.residual = asked.residual.value_or(radiosity::defaultResidual(scene));
   requireLight(scene, asked.scene.file, ", or --sky 1,1,1 for light from outside");
   const radiosity::Camera camera = cameraOf(asked.camera, scene, asked.scene.file);

@@ -16,6 +16,7 @@
 #include "raster/base/file_io.h"
 #include "raster/base/input_error.h"
 #include "tests/support/base64.h"
+#include "tests/support/compressed_meshes.h"
 #include "tests/support/shell.h"
 #include "tests/support/temporary_folder.h"
 
@@ -151,8 +152,8 @@ struct Gltf {
   }
   std::string file() const {
     json whole = text;
-    whole["buffers"] = {
-        {{"byteLength", bytes.size()}, {"uri", "data:application/octet-stream;base64," + base64(bytes)}}};
+    whole["buffers"][0] = {{"byteLength", bytes.size()},
+                           {"uri", "data:application/octet-stream;base64," + base64(bytes)}};
     return whole.dump();
   }
 };
@@ -184,6 +185,14 @@ std::string pngOf(std::vector<glm::dvec3> pixels) {
 }
 const glm::dvec3 half(decodeSrgb(188 / 255.0));
 std::string halfBlack() { return pngOf({glm::dvec3(0), half}); }
+/// The same as WebP without loss, by cwebp.
+std::string webpOfHalfBlack() {
+  constexpr std::array<unsigned char, 40> bytes{0x52, 0x49, 0x46, 0x46, 0x20, 0x00, 0x00, 0x00, 0x57, 0x45,
+                                                0x42, 0x50, 0x56, 0x50, 0x38, 0x4c, 0x13, 0x00, 0x00, 0x00,
+                                                0x2f, 0x01, 0x00, 0x00, 0x00, 0x0f, 0x30, 0xbc, 0xc3, 0x3b,
+                                                0xbc, 0xf3, 0x1f, 0x78, 0xa8, 0x40, 0x44, 0xff, 0x03, 0x00};
+  return {bytes.begin(), bytes.end()};
+}
 double ofMean(double mean) { return 1 / (1 - mean); }
 
 /// The texture as base colour, with a sampler.
@@ -335,6 +344,7 @@ Rows objRows() {
       {"`fo`", {asObj(head + cubeVertices() + cubePolygons("fo"), lit(2))}},
       {"`\\` at the end of a line", {asObj(joined, lit(2))}},
       {"`#`", {withObj("# v 1 2 3", lit(2))}},
+      {"`# units: mm`, `# File units = meters` and others before the first `v`", {withObj("# units: mm", lit(2))}},
       {"`g`, `o`", {withObj("o a\ng b c", lit(2))}},
       {"`usemtl`", {withObj("usemtl other", lit(2))}},
       {"`mtllib`", {withObj("mtllib m.mtl m.mtl\nmtllib \"m.mtl\"\nmtllib .\\M.MTL\nmtllib C:\\x\\m.mtl", lit(2))}},
@@ -499,11 +509,37 @@ Rows gltfRows() {
         },
         expected);
   };
-  const auto webp = [](Gltf& cube) {
-    cube.text["images"] = {{{"uri", "t.png"}}};
-    cube.text["textures"] = {{{"extensions", {{"EXT_texture_webp", {{"source", 0}}}}}}};
-    cube.colour() = {{"baseColorTexture", {{"index", 0}}}};
-    cube.text["extensionsRequired"] = cube.text["extensionsUsed"] = {"EXT_texture_webp"};
+  const auto webp = [](const std::string& uri, bool hasOther) {
+    return [uri, hasOther](Gltf& cube) {
+      cube.text["images"] = {{{"uri", uri}}, {{"uri", "t.png"}}};
+      if (uri.empty())
+        cube.text["images"][0] = {{"bufferView", cube.view(webpOfHalfBlack())}, {"mimeType", "image/webp"}};
+      cube.text["textures"] = {{{"extensions", {{"EXT_texture_webp", {{"source", 0}}}}}}};
+      if (hasOther) cube.text["textures"][0]["source"] = 1;
+      cube.colour() = {{"baseColorTexture", {{"index", 0}}}};
+      cube.text["extensionsUsed"] = {"EXT_texture_webp"};
+      if (!hasOther) cube.text["extensionsRequired"] = {"EXT_texture_webp"};
+    };
+  };
+  // The right half of the texture, so that lost coordinates are seen.
+  const auto compressed = [](const auto& compress) {
+    return textured(
+        [compress](Gltf& cube) {
+          std::vector<float> texcoords;
+          for (int side = 0; side < 6; ++side) texcoords.insert(texcoords.end(), {0.5, 1, 1, 1, 1, 0, 0.5, 0});
+          const int values = cube.add(texcoords, 5126, "VEC2");
+          cube.text["accessors"].erase(cube.primitive()["attributes"]["TEXCOORD_0"].get<std::size_t>());
+          cube.primitive()["attributes"]["TEXCOORD_0"] = values - 1;
+          cube.primitive()["indices"] = values - 2;
+          compress(cube.text, cube.bytes);
+        },
+        half.x);
+  };
+  const auto draco = [&](bool inSequence) {
+    return compressed([=](json& text, std::string& bytes) { tests::compressByDraco(text, bytes, inSequence); });
+  };
+  const auto meshopt = [&](tests::MeshoptMode mode) {
+    return compressed([=](json& text, std::string& bytes) { tests::compressByMeshopt(text, bytes, mode); });
   };
   return {
       {"`.gltf`, `.glb`, files beside it, `data:` URIs", {gltf(nothing, lit(2)), textured(nothing, quarter)}},
@@ -621,7 +657,15 @@ Rows gltfRows() {
         textured(transformed({{"rotation", std::acos(0.0)}, {"scale", {1, 0.5}}, {"offset", {0.5, 0}}}), half.x)}},
       {"`KHR_mesh_quantization`", {gltf(quantized, lit(2))}},
       {"`EXT_mesh_gpu_instancing`", {gltf(instanced, lit(2))}},
-      {"`EXT_texture_webp`", {gltf(webp, lit(ofMean(quarter)), {{"t.png", halfBlack()}})}},
+      {"`KHR_draco_mesh_compression`", {draco(true), draco(false)}},
+      {"`EXT_meshopt_compression`",
+       {meshopt(tests::MeshoptMode::Exact), meshopt(tests::MeshoptMode::Rotated),
+        meshopt(tests::MeshoptMode::Exponents)}},
+      {"`EXT_texture_webp`",
+       {gltf(webp("t.webp", false), lit(ofMean(quarter)), {{"t.webp", webpOfHalfBlack()}}),
+        gltf(webp("data:image/webp;base64," + base64(webpOfHalfBlack()), false), lit(ofMean(quarter))),
+        gltf(webp("", false), lit(ofMean(quarter))),
+        gltf(webp("t.webp", true), lit(ofMean(quarter)), {{"t.webp", "none"}, {"t.png", halfBlack()}})}},
       {"`KHR_lights_punctual`: `point`, `spot`",
        {lamp({{"type", "point"}, {"intensity", 683}, {"color", {1, 0.5, 0}}},
              lit(2.0 + 4 * pi / 3 * glm::dvec3(1, 0.5, 0))),
@@ -634,8 +678,6 @@ Rows gltfRows() {
       {"other extensions that the file requires",
        {extension("KHR_materials_volume", refused("KHR_materials_volume"), true),
         extension("KHR_materials_ior", refused("KHR_materials_ior"), true),
-        extension("KHR_draco_mesh_compression", refused("Draco"), true),
-        extension("EXT_meshopt_compression", refused("meshopt"), true),
         extension("KHR_texture_basisu", refused("KHR_texture_basisu"), true)}},
       {"other extensions that the file uses",
        {extension("KHR_materials_clearcoat", lit(2, {"left out: KHR_materials_clearcoat"})),

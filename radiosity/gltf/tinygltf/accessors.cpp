@@ -80,10 +80,14 @@ std::vector<double> numbersAt(const tinygltf::Model& gltf, const Range& range, s
 
 Bytes bytesOf(const tinygltf::Model& gltf, int viewIndex) {
   const tinygltf::BufferView& view = itemAt(gltf.bufferViews, viewIndex, "buffer view");
-  const std::vector<unsigned char>& data = itemAt(gltf.buffers, view.buffer, "buffer").data;
-  if (view.byteOffset > data.size() || view.byteLength > data.size() - view.byteOffset)
-    throw Fault{"buffer view " + std::to_string(viewIndex) + " reaches beyond its buffer", exportAgain};
-  return {data.data() + view.byteOffset, view.byteLength};
+  return bytesOf(gltf, view.buffer, view.byteOffset, view.byteLength, "buffer view " + std::to_string(viewIndex));
+}
+
+Bytes bytesOf(const tinygltf::Model& gltf, int buffer, std::size_t offset, std::size_t size, const std::string& name) {
+  const std::vector<unsigned char>& data = itemAt(gltf.buffers, buffer, "buffer").data;
+  if (offset > data.size() || size > data.size() - offset)
+    throw Fault{name + " reaches beyond its buffer", exportAgain};
+  return {data.data() + offset, size};
 }
 
 std::vector<double> valuesOf(const tinygltf::Model& gltf, int index, int type, int components) {
@@ -131,6 +135,12 @@ std::vector<double> numbersIn(const tinygltf::Value& object, const std::string& 
     if (const tinygltf::Value& item = value.Get(static_cast<int>(i)); item.IsNumber())
       numbers.push_back(item.GetNumberAsDouble());
   return numbers;
+}
+
+int integerIn(const tinygltf::Value& object, const std::string& key, int missing) {
+  const std::vector<double> numbers = numbersIn(object, key);
+  constexpr std::numeric_limits<int> limits;
+  return numbers.empty() ? missing : static_cast<int>(std::clamp<double>(numbers.front(), limits.min(), limits.max()));
 }
 
 const tinygltf::Value* extensionOf(const tinygltf::ExtensionMap& extensions, const std::string& name) {

@@ -37,6 +37,8 @@ struct Bytes {
 
 /// The bytes of a buffer view. Throws Fault if it reaches beyond its buffer.
 Bytes bytesOf(const tinygltf::Model& gltf, int viewIndex);
+/// `size` bytes of a buffer from `offset`. Throws Fault, with the name, if they reach beyond it.
+Bytes bytesOf(const tinygltf::Model& gltf, int buffer, std::size_t offset, std::size_t size, const std::string& name);
 
 /// The values of an accessor, `components` per element, with those that a sparse one replaces. Throws Fault for another
 /// type, and for one that reaches beyond its buffer view.
@@ -46,6 +48,8 @@ std::vector<double> valuesOf(const tinygltf::Model& gltf, int index, int type, i
 
 /// A member of an extension: its number or numbers; empty if there are none.
 std::vector<double> numbersIn(const tinygltf::Value& object, const std::string& key);
+/// The same as one integer, the nearest int of the sign where it is larger; `missing` if there is none.
+int integerIn(const tinygltf::Value& object, const std::string& key, int missing);
 /// The extension of a name; null if there is none.
 const tinygltf::Value* extensionOf(const tinygltf::ExtensionMap& extensions, const std::string& name);
 

@@ -63,16 +63,15 @@ TextureUse useOf(const tinygltf::Model& gltf, const std::vector<int>& images, co
   TextureUse use{.texcoords = info.texCoord};
   if (info.index < 0) return use;
   const tinygltf::Texture& texture = itemAt(gltf.textures, info.index, "texture");
-  const double source =
-      texture.source >= 0 ? texture.source : numberOf(texture.extensions, "EXT_texture_webp", "source", -1);
-  use.image = itemAt(images, static_cast<int>(source), "image");
+  const tinygltf::Value* const webp = extensionOf(texture.extensions, "EXT_texture_webp");
+  use.image = itemAt(images, texture.source < 0 && webp ? integerIn(*webp, "source", -1) : texture.source, "image");
   if (texture.sampler >= 0) {
     const tinygltf::Sampler& sampler = itemAt(gltf.samplers, texture.sampler, "sampler");
     use.sampler.wrap = {wrapOf(sampler.wrapS), wrapOf(sampler.wrapT)};
   }
   if (const tinygltf::Value* const transform = extensionOf(info.extensions, "KHR_texture_transform")) {
     use.sampler.place = placeOf(*transform);
-    use.texcoords = static_cast<int>(numberOf(info.extensions, "KHR_texture_transform", "texCoord", use.texcoords));
+    use.texcoords = integerIn(*transform, "texCoord", use.texcoords);
   }
   return use;
 }
@@ -83,12 +82,8 @@ tinygltf::PbrMetallicRoughness diffuseOf(const tinygltf::Value& extension) {
   pbr.baseColorFactor = numbersIn(extension, "diffuseFactor");
   if (!extension.Has("diffuseTexture")) return pbr;
   const tinygltf::Value& texture = extension.Get("diffuseTexture");
-  const auto integer = [&](const char* key, int missing) {
-    const std::vector<double> numbers = numbersIn(texture, key);
-    return numbers.empty() ? missing : static_cast<int>(numbers.front());
-  };
-  pbr.baseColorTexture.index = integer("index", -1);
-  pbr.baseColorTexture.texCoord = integer("texCoord", 0);
+  pbr.baseColorTexture.index = integerIn(texture, "index", -1);
+  pbr.baseColorTexture.texCoord = integerIn(texture, "texCoord", 0);
   if (texture.Has("extensions") && texture.Get("extensions").Has("KHR_texture_transform"))
     pbr.baseColorTexture.extensions["KHR_texture_transform"] = texture.Get("extensions").Get("KHR_texture_transform");
   return pbr;

@@ -259,9 +259,10 @@ class NodeReader {
       return;
     }
     const auto valuesNamed = [&](const char* name, int type, int components) {
-      const std::vector<double> accessor = numbersIn(extension->Get("attributes"), name);
-      return accessor.empty() ? std::vector<double>()
-                              : valuesOf(gltf_, static_cast<int>(accessor.front()), type, components);
+      const tinygltf::Value& attributes = extension->Get("attributes");
+      return attributes.IsObject() && attributes.Has(name)
+                 ? valuesOf(gltf_, integerIn(attributes, name, -1), type, components)
+                 : std::vector<double>();
     };
     const std::vector<double> translations = valuesNamed("TRANSLATION", TINYGLTF_TYPE_VEC3, 3),
                               rotations = valuesNamed("ROTATION", TINYGLTF_TYPE_VEC4, 4),

@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <array>
+#include <boost/algorithm/string/replace.hpp>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -15,6 +17,7 @@
 
 #include "radiosity/gltf/gltf_module.h"
 #include "radiosity/gltf/tinygltf/accessors.h"
+#include "radiosity/gltf/tinygltf/compression.h"
 #include "radiosity/gltf/tinygltf/materials.h"
 #include "radiosity/gltf/tinygltf/nodes.h"
 #include "raster/base/input_error.h"
@@ -82,22 +85,21 @@ Fault faultOf(const std::string& message, const SceneFolder& folder) {
   return {"is no valid glTF", "give a glTF 2.0 file"};
 }
 
-/// Throws Fault for a file whose meshes are compressed, before tinygltf misses the buffers that they replace.
-void refuseCompression(const std::string& bytes) {
-  const std::size_t start = std::min(bytes.find("\"extensionsRequired\""), bytes.size());
-  const std::string required = bytes.substr(start, bytes.find(']', start) - start);
-  if (required.find("\"KHR_draco_mesh_compression\"") != std::string::npos)
-    throw Fault{"is compressed with Draco (KHR_draco_mesh_compression), which is not read",
-                "export it without compression (in Blender's glTF export: Data, Compression off)"};
-  if (required.find("\"EXT_meshopt_compression\"") != std::string::npos)
-    throw Fault{"is compressed with meshopt (EXT_meshopt_compression), which is not read",
-                "export it without compression (gltfpack: without -c and -cc)"};
+/// What tinygltf can read in place of a file; nothing if that is the file. It knows no data URI of a WebP image, but
+/// does not look at the bytes either, so that another type of equal length does.
+std::optional<std::string> readableBytes(const std::string& bytes) {
+  const std::string webp = "data:image/webp;base64,";
+  std::optional<std::string> edited = withPlaceholders(bytes);
+  if (bytes.find(webp) != bytes.npos)
+    edited = boost::replace_all_copy(edited ? *edited : bytes, webp, "data:image/jpeg;base64,");
+  return edited;
 }
 
-tinygltf::Model parse(const std::string& bytes, SceneFolder& folder) {
-  if (bytes.size() > std::numeric_limits<unsigned int>::max())
+tinygltf::Model parse(const std::string& given, SceneFolder& folder) {
+  if (given.size() > std::numeric_limits<unsigned int>::max())
     throw Fault{"the file has more than 4 GiB", "divide the scene"};
-  refuseCompression(bytes);
+  const std::optional<std::string> edited = readableBytes(given);
+  const std::string& bytes = edited ? *edited : given;
   tinygltf::TinyGLTF reader;
   reader.SetImageLoader(keepImage, &folder);
   reader.SetFsCallbacks({fileExists, sameName, readWholeFile, nullptr, &folder});
@@ -114,10 +116,11 @@ tinygltf::Model parse(const std::string& bytes, SceneFolder& folder) {
 }
 
 /// The extensions that are read, or named in a warning of their own.
-constexpr std::array<std::string_view, 9> extensionsRead{
-    "KHR_mesh_quantization",   "KHR_texture_transform", "KHR_materials_emissive_strength",
-    "EXT_mesh_gpu_instancing", "EXT_texture_webp",      "KHR_materials_pbrSpecularGlossiness",
-    "KHR_lights_punctual",     "KHR_materials_unlit",   "KHR_materials_transmission"};
+constexpr std::array<std::string_view, 11> extensionsRead{
+    "KHR_mesh_quantization",   "KHR_texture_transform",     "KHR_materials_emissive_strength",
+    "EXT_mesh_gpu_instancing", "EXT_texture_webp",          "KHR_materials_pbrSpecularGlossiness",
+    "KHR_lights_punctual",     "KHR_materials_unlit",       "KHR_materials_transmission",
+    "EXT_meshopt_compression", "KHR_draco_mesh_compression"};
 
 bool isRead(const std::string& extension) {
   return std::find(extensionsRead.begin(), extensionsRead.end(), extension) != extensionsRead.end();
@@ -145,8 +148,9 @@ ImportProblem read(const std::string& bytes, const std::string& folder, const Im
                    GltfImport& import) {
   try {
     SceneFolder opened{folder, budget, import.files};
-    const tinygltf::Model gltf = parse(bytes, opened);
+    tinygltf::Model gltf = parse(bytes, opened);
     checkExtensions(gltf);
+    decompress(gltf, budget);
     warnOfOmissions(gltf, import);
     readMaterials(gltf, import);
     readNodes(gltf, budget, import);
