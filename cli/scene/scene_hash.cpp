@@ -61,8 +61,7 @@ std::string hashOf(const radiosity::Scene& scene) {
   for (const radiosity::Image& image : scene.images) {
     Bytes bytes;
     bytes.add(image.width, image.height);
-    if (!(image.sampler == radiosity::Sampler()))
-      bytes.add(image.sampler.place, image.sampler.wrap);
+    if (!(image.sampler == radiosity::Sampler())) bytes.add(image.sampler.place, image.sampler.wrap);
     for (const glm::dvec3& pixel : image.pixels) bytes.add(pixel);
     extend(bytes);
   }

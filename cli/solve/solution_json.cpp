@@ -261,8 +261,7 @@ std::string summary(const ordered_json& solution) {
     for (const ordered_json& frame : solution["frames"])
       text << frame["folder"].get<std::string>() << ": " << shotsText(frame, frame["times"]["update_s"]);
   text << expectedErrorText(solution) << unitText(solution["settings"]) << emissionText(solution)
-       << candelaText(solution["settings"])
-       << fluxText(solution["energy"], solution.contains("bands"));
+       << candelaText(solution["settings"]) << fluxText(solution["energy"], solution.contains("bands"));
   return text.str();
 }
 

@@ -132,9 +132,9 @@ struct Scene {
   /// The surfaces are in space once per instance: first as they are, then as images (see symmetry.h). All images of an
   /// element have its light, so that elements and light are those of the first instance.
   std::vector<Instance> instances = {Instance()};
-  std::size_t faces = 0;                   ///< of the file, with those that were dropped
-  std::optional<int> up = {};              ///< the axis that points up, if the file states it: 1, y, in glTF
-  OutsideLight outside = {};               ///< of a file only the suns
+  std::size_t faces = 0;       ///< of the file, with those that were dropped
+  std::optional<int> up = {};  ///< the axis that points up, if the file states it: 1, y, in glTF
+  OutsideLight outside = {};   ///< of a file only the suns
   std::vector<Lamp> lamps = {};
   int photometricLights = 0;               ///< lamps and suns that the file states in candela and lux
   double squareMetres = 1;                 ///< of a square unit, by which W/sr become W/m^2 at a distance in units
