@@ -205,7 +205,7 @@ void forEachPlace(const Scene& scene, const Visit& visit) {
 }
 
 /// The memory that a scene takes per triangle while it is read and solved, as measured (see docs/performance.md).
-inline constexpr std::uint64_t bytesPerTriangle = 800;
+inline constexpr std::uint64_t bytesPerTriangle = 1100;
 
 /// The sum over the RGB bands.
 inline double bandSum(const glm::dvec3& bands) { return bands.x + bands.y + bands.z; }
