@@ -315,9 +315,10 @@ double brightestLight(const Scene& scene) {
   fail({file}, "the scene is empty: it has no face with area", "give a file with faces");
 }
 
-/// A polygon of n corners becomes n - 2 triangles.
-void requireMemoryFor(const PolygonMesh& mesh, const std::filesystem::path& file) {
-  const std::uint64_t triangles = mesh.corners.size() - std::min(mesh.corners.size(), 2 * mesh.polygons.size());
+/// A polygon of n corners becomes n - 2 triangles, on each of its sides.
+void requireMemoryFor(const PolygonMesh& mesh, const std::filesystem::path& file, Sides sides) {
+  const std::uint64_t ofOneSide = mesh.corners.size() - std::min(mesh.corners.size(), 2 * mesh.polygons.size()),
+                      triangles = sides == Sides::Two ? 2 * ofOneSide : ofOneSide;
   raster::requireMemory(triangles * bytesPerTriangle, file.string(),
                         "the scene of " + std::to_string(triangles) + " triangles", "divide it");
 }
@@ -372,7 +373,7 @@ Scene makeScene(PolygonMesh mesh, const MaterialSource& materials, const std::fi
   }
   if (settings.facets && settings.sides == Sides::TwoOfSheets)
     throw raster::InputError("facets have one side each, or two each", "leave the sides of sheets out");
-  requireMemoryFor(mesh, file);
+  requireMemoryFor(mesh, file, settings.sides);
   Scene scene;
   if (settings.facets) divideIntoFacets(mesh);
   const std::map<std::string, Material> ofFaces = divideByMaterials(mesh, settings, file);

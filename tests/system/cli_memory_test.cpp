@@ -6,8 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "radiosity/scene/scene.h"
 #include "tests/support/shell.h"
 
+using namespace hemitex;
 using namespace hemitex::tests;
 using Catch::Contains;
 
@@ -75,6 +77,40 @@ TEST_CASE("hemitex refuses more than 2^24 elements in all commands, unless --ins
   const std::string row = "formfactors room.obj --from floor --texels 1700";
   for (const std::string& command : {row + " --insist", "--insist " + row})
     CHECK(shell.execute("timeout 1 " + program + command).exitCode == 124);
+}
+
+TEST_CASE("bytesPerTriangle is what a triangle of a mesh takes while it is read", "[faults]") {
+  const Shell shell;
+  const auto writeHills = [&](const std::string& name, int side) {
+    std::string text = "mtllib room.mtl\n";
+    for (int i = 0; i <= side; ++i)
+      for (int j = 0; j <= side; ++j)
+        text += "v " + std::to_string(i) + " " + std::to_string(i * j * 0.002) + " " + std::to_string(j) +
+                " .5 .5 .5\nvt " + std::to_string(i) + " " + std::to_string(j) + "\nvn 0 1 0\n";
+    for (int i = 0; i < side; ++i)
+      for (int j = 0; j < side; ++j) {
+        const auto corner = [&](int x, int y) {
+          const std::string index = std::to_string((i + x) * (side + 1) + j + y + 1);
+          return " " + index + "/" + index + "/" + index;
+        };
+        text += "f" + corner(0, 0) + corner(0, 1) + corner(1, 1) + "\nf" + corner(0, 0) + corner(1, 1) + corner(1, 0) +
+                "\n";
+      }
+    writeAll(shell.file(name), text + "g lamp\nv 0 500 0\nv 1 500 0\nv 0 500 1\nf -3 -2 -1\n");
+  };
+  const auto peakOf = [&](const std::string& name) {  // of resident memory, in bytes
+    const Outcome outcome = shell.execute(
+        "python3 -c 'import resource, subprocess, sys; subprocess.run(sys.argv[1:], stdout=subprocess.DEVNULL); "
+        "print(resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss)' " +
+        program + "formfactors " + name + " --one-sided --from lamp --by-surface --texels 64 --resolution 16");
+    INFO(outcome.err);
+    return 1024 * std::stod(outcome.out);
+  };
+  writeHills("small.obj", 1);
+  writeHills("large.obj", 200);
+  const double perTriangle = (peakOf("large.obj") - peakOf("small.obj")) / (2 * 200 * 200);
+  CHECK(perTriangle < radiosity::bytesPerTriangle);
+  CHECK(perTriangle > 0.6 * radiosity::bytesPerTriangle);
 }
 
 TEST_CASE("hemitex does not wait for a pipe", "[cli]") {
