@@ -7,8 +7,6 @@ namespace hemitex::raster {
 
 inline bool keepsFarther(DepthTest test) { return test == DepthTest::Farther || test == DepthTest::FartherOrEqual; }
 
-inline bool keepsLast(DepthTest test) {
-  return test == DepthTest::NearerOrEqual || test == DepthTest::FartherOrEqual;
-}
+inline bool keepsLast(DepthTest test) { return test == DepthTest::NearerOrEqual || test == DepthTest::FartherOrEqual; }
 
 }  // namespace hemitex::raster

@@ -132,7 +132,7 @@ bool isAssembled(const DrawList& list);
 /// instances are out of range, or if an offset is wider than the format.
 DrawList assembled(const DrawList& list);
 
-/// Whether pixels show the nearest triangle, by 1/w, of a scene. Only PlainRenderer draws other lists.
+/// Whether pixels show the nearest triangle, by 1/w, of a scene. SoftwareRenderer draws no other lists.
 bool isUsual(const DrawList& list);
 /// Throws InputError for any other list.
 void requireUsual(const DrawList& list);

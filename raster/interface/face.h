@@ -59,7 +59,7 @@ double determinant(const Face& face);
 /// Throws InputError if a member is out of its range, or if det(x, y, w) is zero or not finite.
 void validate(const Face& face);
 
-/// Whether the face has no viewport of its own, and samples in the middle of pixels. Only PlainRenderer draws others.
+/// Whether the face has no viewport of its own, and samples in the middle of pixels. SoftwareRenderer draws no others.
 bool isUsual(const Face& face);
 /// Throws InputError for any other face.
 void requireUsual(const Face& face);

@@ -36,8 +36,8 @@ std::vector<ShaderDraw> shaderDraws(const raster::DrawList& list) {
   }
   std::vector<ShaderDraw> draws;
   for (const raster::Draw& draw : list.draws) {
-    ShaderDraw shaderDraw{
-        draw.offset, draw.back.value_or(0), draw.back.has_value(), 0, 0, 0, static_cast<int>(draw.cull)};
+    ShaderDraw shaderDraw{draw.offset, draw.back.value_or(0),      draw.back.has_value(), 0, 0,
+                          0,           static_cast<int>(draw.cull)};
     if (draw.indexMap) {
       const auto m = static_cast<std::size_t>(*draw.indexMap);
       shaderDraw.firstTexel = firstTexels[m];

@@ -14,8 +14,9 @@ struct DeviceViewport {
 };
 
 /// A viewport `width` times as wide and as high as the face, or a half, a quarter or an eighth of that along a side
-/// where the device allows only `largest` pixels. With 8 it is as wide as the guard band of the rules; for an odd number
-/// of pixels it has one less. Throws InputError, which names the device by its `api`, if the face itself is larger.
+/// where the device allows only `largest` pixels. With 8 it is as wide as the guard band of the rules; where the face
+/// has an odd number of pixels, it has one less. Throws InputError, which names the device by its `api`, if the face
+/// itself is larger.
 DeviceViewport viewportOf(const raster::Face& face, int width, int largest, const std::string& api);
 
 }  // namespace hemitex::reference

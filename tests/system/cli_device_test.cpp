@@ -246,7 +246,8 @@ TEST_CASE("hemitex vector serve is a device for hemitex vector run --lines", "[c
 TEST_CASE("hemitex vector serve and vector render draw the whole suite of version 2, pairs of 64 bits too", "[cli]") {
   const Shell shell;
   REQUIRE(shell.run("vector suite --rules 2 -o suite").exitCode == 0);
-  const Outcome outcome = shell.run("vector run suite --device \"'" HEMITEX_PROGRAM "' vector serve\" --lines -o mine --json");
+  const Outcome outcome =
+      shell.run("vector run suite --device \"'" HEMITEX_PROGRAM "' vector serve\" --lines -o mine --json");
   CHECK(outcome.exitCode == 0);
   const json result = json::parse(outcome.out);
   CHECK(result["vectors"].size() == 32);

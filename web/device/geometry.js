@@ -52,11 +52,20 @@ export function isMirrored({x, y, w}) {
              x[2] * (y[0] * w[1] - y[1] * w[0]) < 0;
 }
 
+// What these backends draw of version 2, besides holes and culling: the values of version 1.
+const drawn = {
+  values: "item-ids", depth_test: "nearer", sample: "middle", clip_depth: "none", depth_precision: "exact",
+  front: "counter-clockwise"
+};
+const isPlain = ({topology, restart, base_vertex: base, instance_count: instances}) =>
+    (topology ?? "triangles") === "triangles" && !restart && !base && !instances;
+
 // Throws an error for what these backends do not draw.
 export function requireDrawable(vector) {
-  const {values = "item-ids", depth_test: test = "nearer", sample = "middle", resolution} = vector;
-  if (values !== "item-ids" || test !== "nearer" || sample !== "middle" || Array.isArray(resolution))
-    throw new Error("triangle numbers, other depth tests, viewports and sample places are not supported");
+  const other = Object.keys(drawn).filter((key) => (vector[key] ?? drawn[key]) !== drawn[key]);
+  if (Array.isArray(vector.resolution)) other.push("resolution");
+  if (!vector.draws.every(isPlain)) other.push("draws");
+  if (other.length > 0) throw new Error(`this backend does not draw such ${other.join(", ")}`);
 }
 
 // Numbers of the blends, and of the culled sides, in shaders.

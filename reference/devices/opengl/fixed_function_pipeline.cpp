@@ -178,9 +178,7 @@ void FixedFunction::setView(const raster::Face& face, const DeviceViewport& view
   for (const Corners& corners : triangles_) {
     std::array<glm::vec4, 3> positions;
     for (std::size_t k = 0; k < 3; ++k) positions[k] = clipPosition(face, viewport, corners[k]);
-    const auto isFinite = [](const glm::vec4& p) {
-      return !glm::any(glm::isnan(p)) && !glm::any(glm::isinf(p));
-    };
+    const auto isFinite = [](const glm::vec4& p) { return !glm::any(glm::isnan(p)) && !glm::any(glm::isinf(p)); };
     if (!std::all_of(positions.begin(), positions.end(), isFinite)) positions.fill({0, 0, 0, 1});
     for (std::size_t k = 0; k < 3; ++k) vertices_.push_back({glm::vec4(corners[k].texel, 0, 1), positions[k]});
   }

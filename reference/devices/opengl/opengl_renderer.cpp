@@ -151,8 +151,7 @@ void OpenGlRenderer::bindFramebuffer(const raster::ItemBuffer& size) {
     framebuffers_.clear();
   }
   if (!framebuffers_.contains(key))
-    framebuffers_[key] =
-        makeFramebuffer(size, targetPixels().storage, depthStorage(list_.depthPrecision), areCounts());
+    framebuffers_[key] = makeFramebuffer(size, targetPixels().storage, depthStorage(list_.depthPrecision), areCounts());
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffers_[key].framebuffer);
 }
 

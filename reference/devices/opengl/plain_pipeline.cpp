@@ -121,8 +121,12 @@ Vertex vertexOf(const raster::DrawList& list, const raster::Draw& draw, std::uin
   const std::uint32_t vertex = list.indices[index];
   const glm::vec3& position = list.positions[vertex];
   const glm::vec2& texcoord = list.texcoords[vertex];
-  return {bits(position.x), bits(position.y),         bits(position.z),
-          bits(texcoord.x), bits(texcoord.y),         offsetOf(list, draw, index),
+  return {bits(position.x),
+          bits(position.y),
+          bits(position.z),
+          bits(texcoord.x),
+          bits(texcoord.y),
+          offsetOf(list, draw, index),
           bits(list.clipZ.empty() ? 0 : list.clipZ[vertex])};
 }
 

@@ -118,7 +118,7 @@ VulkanPipeline makePipeline(const VulkanContext& context, const raster::DrawList
   vk::raii::DescriptorSet descriptors = makeDescriptors(context, pool, buffers, arrays);
   vk::raii::PipelineLayout layout = makeLayout(context, buffers);
   vk::raii::Pipeline pipeline = makeGraphicsPipeline(context, layout, formats, list.depthTest);
-  return {formats,           std::move(arrays), std::move(buffers), std::move(pool), std::move(descriptors),
+  return {formats,           std::move(arrays),  std::move(buffers), std::move(pool), std::move(descriptors),
           std::move(layout), std::move(pipeline)};
 }
 

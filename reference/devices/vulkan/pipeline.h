@@ -19,8 +19,8 @@ struct VulkanPipeline {
   vk::raii::Pipeline pipeline;          ///< the front face, the viewport and the scissor are set per view
 };
 
-/// Throws InputError if an array of the assembled list is larger than the buffers of the device, or if the device has no
-/// targets of its depths or counts.
+/// Throws InputError if an array of the assembled list is larger than the buffers of the device, or if the device has
+/// no targets of its depths or counts.
 VulkanPipeline makePipeline(const VulkanContext& context, const raster::DrawList& list);
 
 }  // namespace hemitex::reference

@@ -37,10 +37,8 @@ TargetFormats targetFormats(const VulkanContext& context, const raster::DrawList
 
 RenderTargets makeRenderTargets(const VulkanContext& context, const TargetFormats& formats, vk::Extent2D size) {
   using Usage = vk::ImageUsageFlagBits;
-  return {
-      size,
-      makeImage(context, formats.colour, Aspect::eColor, Usage::eColorAttachment | Usage::eTransferSrc, size),
-      makeImage(context, formats.depth, Aspect::eDepth, Usage::eDepthStencilAttachment, size)};
+  return {size, makeImage(context, formats.colour, Aspect::eColor, Usage::eColorAttachment | Usage::eTransferSrc, size),
+          makeImage(context, formats.depth, Aspect::eDepth, Usage::eDepthStencilAttachment, size)};
 }
 
 vk::Extent2D sizeOf(const raster::Face& face) {

@@ -114,8 +114,8 @@ TEST_CASE("commonPair names both of two faults, in at least 15 of 20 random pair
     do choices = {choose(random, faults), choose(random, faults)};
     while (choices[0].fault == choices[1].fault || !bothShow(choices, vectors));
     const auto& [first, second] = choices;
-    const std::set<std::string> names = pairNamed(
-        [&](std::size_t v) { return tests::drawAll(deviceOf(choices, vectors[v]), vectors[v].placed); });
+    const std::set<std::string> names =
+        pairNamed([&](std::size_t v) { return tests::drawAll(deviceOf(choices, vectors[v]), vectors[v].placed); });
     const bool isRight = names == std::set{first.fault, second.fault};
     UNSCOPED_INFO((isRight ? "named: " : "not named: ")
                   << first.fault << ", " << first.variant << " with " << second.fault << ", " << second.variant);

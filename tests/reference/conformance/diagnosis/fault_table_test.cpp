@@ -59,9 +59,8 @@ std::set<std::string> namesOn(const tests::Injection& injection, const TestVecto
 /// Whether the fault alone is named in a small part.
 bool isNamedIn(const tests::Injection& injection, const TestVector& vector) {
   const std::vector<TestVector> parts = smallParts(vector);
-  return std::any_of(parts.begin(), parts.end(), [&](const TestVector& part) {
-    return namesOn(injection, part) == std::set{injection.fault};
-  });
+  return std::any_of(parts.begin(), parts.end(),
+                     [&](const TestVector& part) { return namesOn(injection, part) == std::set{injection.fault}; });
 }
 
 std::set<std::string> allFaults() {
@@ -100,8 +99,7 @@ TEST_CASE("diagnose names each known fault in one vector of at most 8 x 8 pixels
       return lines[injection.fault].ends_with("| `" + vector + "` |");
     });
     for (const std::string& vector : vectors)
-      if (!places.contains(injection.fault) && isNamedIn(injection, suite.at(vector)))
-        places[injection.fault] = vector;
+      if (!places.contains(injection.fault) && isNamedIn(injection, suite.at(vector))) places[injection.fault] = vector;
   }
   // In so few pixels these look like other faults.
   const std::set<std::string> large{"carry across channels",     "faces swapped",     "item ID 0 taken for nothing",
