@@ -35,11 +35,12 @@ function copiesOf({instances}, {first_instance: first, instance_count: count}) {
   return count ? instances.slice(first ?? 0, (first ?? 0) + count) : [{id: 0}];
 }
 
-// The position of a vertex in an instance: x, y, z and, in clip space, w. One product and one sum in binary32.
+// The position of a vertex in an instance: x, y, z and, in clip space, w. One product and one sum in binary32, which the
+// array of the result rounds.
 function positionOf(vertex, {scale, offset}, positions, size) {
-  const position = Array.from(positions.subarray(size * vertex, size * vertex + size));
+  const position = positions.subarray(size * vertex, size * vertex + size);
   if (!scale && !offset) return position;
-  return position.map((p, k) => round(round(p * round(scale?.[k] ?? 1)) + round(offset?.[k] ?? 0)));
+  return position.map((p, k) => round(p * round(scale?.[k] ?? 1)) + round(offset?.[k] ?? 0));
 }
 
 // The value of a triangle in two words, of which only pairs need the second. Item IDs start as offsets.

@@ -18,17 +18,17 @@ function viewed({position, texcoord}, face, eye) {
 export function viewTriangles(vector, draw, face, arrays) {
   return assembledTriangles(vector, draw, arrays)
       .map(({corners, value}) => ({corners: corners.map((c) => viewed(c, face, face.eye ?? vector.eye)), value}))
-      .filter(({corners}) => corners.flat().every(Number.isFinite));
+      .filter(({corners}) => corners.every((corner) => corner.every(Number.isFinite)));
 }
 
-// The planes that clip, as distances: near plane, planes of z in clip space, guard band.
+// The planes that clip, as distances of a corner [x, y, w, u, v, z]: near plane, planes of z in clip space, guard band.
 function planesOf(vector) {
   const near = round(vector.near), depths = {
-    "zero-to-one": [([,, w,,, z]) => z, ([,, w,,, z]) => w - z],
-    "minus-one-to-one": [([,, w,,, z]) => w + z, ([,, w,,, z]) => w - z],
+    "zero-to-one": [(c) => c[5], (c) => c[2] - c[5]],
+    "minus-one-to-one": [(c) => c[2] + c[5], (c) => c[2] - c[5]],
   };
-  const sides = [([x,, w]) => 8 * w - x, ([x,, w]) => 8 * w + x, ([, y, w]) => 8 * w - y, ([, y, w]) => 8 * w + y];
-  return [([,, w]) => w - near, ...depths[vector.clip_depth] ?? [], ...sides];
+  const sides = [(c) => 8 * c[2] - c[0], (c) => 8 * c[2] + c[0], (c) => 8 * c[2] - c[1], (c) => 8 * c[2] + c[1]];
+  return [(c) => c[2] - near, ...depths[vector.clip_depth] ?? [], ...sides];
 }
 
 // The part of a polygon where `distance` is not negative. JavaScript computes in binary64.
@@ -43,7 +43,7 @@ function clip(polygon, distance) {
 
 // The corners of the triangles of a clipped triangle.
 function clippedCorners(corners, planes) {
-  const polygon = planes.reduce((part, plane) => clip(part, plane), corners);
+  const polygon = planes.reduce((part, plane) => part.some((c) => plane(c) < 0) ? clip(part, plane) : part, corners);
   return polygon.slice(2).flatMap((corner, k) => [polygon[0], polygon[k + 1], corner]);
 }
 

@@ -114,7 +114,7 @@ function makeTarget(gl, vector, depthFormat) {
   gl.drawBuffers(countsSamples(vector) ? [gl.NONE, output] : [output]);
   gl.readBuffer(output);
   if (gl.checkFramebufferStatus(gl.FRAMEBUFFER) !== gl.FRAMEBUFFER_COMPLETE)
-    throw new Error(gl.isContextLost() ? "the GPU was reset" : "no integer target");
+    throw new Error(gl.isContextLost() ? "the GPU was reset" : "no target for such values");
   return {framebuffer, renderbuffers};
 }
 
