@@ -1,7 +1,12 @@
 // The parts of geometry.js that the page uses.
-import type {VectorArrays, VectorFace} from "../page/core";
+import type {VectorArrays, VectorDraw, VectorFace, VectorJson} from "../page/core";
 
-/** x, y, w, u, v of a vertex in the view of a face, in binary32. */
-export function viewVertex(index: number, face: VectorFace, eye: number[], arrays: VectorArrays): number[];
+/** The triangles of a draw in the view of a face: x, y, w, u, v, z of each corner, in binary32, and two words. */
+export function viewTriangles(
+  vector: VectorJson,
+  draw: VectorDraw,
+  face: VectorFace,
+  arrays: VectorArrays,
+): {corners: number[][]; value: number[]}[];
 /** Whether the view reverses windings. */
 export function isMirrored(face: VectorFace): boolean;

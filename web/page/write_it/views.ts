@@ -1,5 +1,5 @@
 // What the student's rasterizer gets: a face of a test vector after the vertex stage.
-import {isMirrored, viewVertex} from "../../device/geometry.js";
+import {isMirrored, viewTriangles} from "../../device/geometry.js";
 import type {Vector, VectorArrays, VectorDraw, VectorFace, VectorJson} from "../core";
 
 interface Corner {
@@ -44,7 +44,7 @@ function viewOf(vector: VectorJson, face: VectorFace, arrays: VectorArrays): Vie
     near: Math.fround(vector.near),
     mirrored: isMirrored(face),
     channels: channelsOf(vector.channels),
-    triangles: vector.draws.flatMap((draw) => trianglesOf(draw, face, face.eye ?? vector.eye, arrays)),
+    triangles: vector.draws.flatMap((draw) => trianglesOf(vector, draw, face, arrays)),
   };
 }
 
@@ -57,15 +57,16 @@ function channelsOf(bits: number[]): View["channels"] {
   });
 }
 
-function trianglesOf(draw: VectorDraw, face: VectorFace, eye: number[], arrays: VectorArrays): View["triangles"] {
-  const {offset, index_map, width = 0, height = 0} = draw;
+function trianglesOf(
+  vector: VectorJson,
+  draw: VectorDraw,
+  face: VectorFace,
+  arrays: VectorArrays,
+): View["triangles"] {
+  const {offset, back = null, index_map, width = 0, height = 0} = draw;
   const map = index_map ? {width, height, ids: arrays.maps[index_map]} : null;
-  const triangles: View["triangles"] = [];
-  for (let i = draw.first; i < draw.first + draw.count; i += 3) {
-    const vertices = [0, 1, 2].map((k) => viewVertex(arrays.indices[i + k], face, eye, arrays));
-    if (!vertices.flat().every(Number.isFinite)) continue;
-    const corners = vertices.map(([x, y, w, u, v]) => ({x, y, w, u, v}));
-    triangles.push({corners, offset, back: draw.back ?? null, map});
-  }
-  return triangles;
+  return viewTriangles(vector, draw, face, arrays).map((triangle) => ({
+    corners: triangle.corners.map(([x, y, w, u, v]) => ({x, y, w, u, v})),
+    ...{offset, back, map},
+  }));
 }
