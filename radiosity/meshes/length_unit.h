@@ -1,5 +1,5 @@
-/// The unit of lengths that exporters state in comments at the start of an OBJ file, such as `# File units = meters`
-/// (SketchUp), `# This file uses centimeters as units for non-parametric coordinates.` (Maya) or `# units: mm`.
+/// The unit of lengths that exporters state in comments at the start of an OBJ file, such as "File units = meters"
+/// (SketchUp), "This file uses centimeters as units for non-parametric coordinates." (Maya) or "units: mm".
 #pragma once
 
 #include <filesystem>
