@@ -100,7 +100,7 @@ double unitFluxOf(const ShotLight& light) {
 }
 
 /// Of the residual of the settings: at this share a solution ends if no light came to what is seen.
-constexpr double smallestResidual = 0.001;
+constexpr double smallestResidual = 1e-6;
 
 /// Shoots until a limit of the settings is reached, after the shots and splits of `past`. Adds what backs absorb of
 /// each patch.

@@ -42,7 +42,7 @@ struct SeenLight {
   std::vector<bool> surfaces = {};  ///< whether they are seen, one per surface; empty if none is
   RowSource scoutRow = {};          ///< see SceneFormFactors::scoutRows
   double residual = 0.02;           ///< the solution goes on while ShootingState::seenResidual is above this; if no
-                                    ///< light comes, to a thousandth of the residual of the settings
+                                    ///< light comes, to a millionth of the residual of the settings
 };
 
 /// All that a solution is computed from. What it refers to must not change during the solution.
