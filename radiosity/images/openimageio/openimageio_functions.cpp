@@ -169,7 +169,8 @@ ImageProblem read(const std::string& file, std::uint64_t maxPixels, const RowRec
 
 ImageProblem decode(const std::vector<unsigned char>& bytes, std::uint64_t maxPixels, const RowReceiver& receive) {
   const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-  const bool isPng = text.starts_with("\x89PNG"), isWebP = text.starts_with("RIFF") && text.substr(8, 4) == "WEBP";
+  const bool isPng = text.starts_with("\x89PNG"),
+             isWebP = text.size() >= 12 && text.starts_with("RIFF") && text.substr(8, 4) == "WEBP";
   if (!isPng && !isWebP && !text.starts_with("\xff\xd8"))
     return {"is neither PNG nor JPEG nor WebP", "export it as PNG"};
   const std::string format = isPng ? "png" : isWebP ? "webp" : "jpeg";

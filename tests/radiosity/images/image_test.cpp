@@ -134,6 +134,15 @@ TEST_CASE("readImage throws InputError for a file that is no image, or contains 
   CHECK_THROWS_AS(readImage(folder.path / "nan.exr"), raster::InputError);
 }
 
+TEST_CASE("decodeImage throws InputError for the beginnings of images", "[image]") {
+  using namespace std::string_literals;
+  for (const std::string& head :
+       {"RIFF\x10\0\0\0WEBPVP8 "s, "\x89PNG\r\n\x1a\n\0\0\0\rIHDR"s, "\xff\xd8\xff\xe0\0\x10JFIF"s})
+    for (std::size_t size = 0; size <= head.size(); ++size)
+      CHECK_THROWS_AS(decodeImage({head.begin(), head.begin() + static_cast<std::ptrdiff_t>(size)}, "image"),
+                      raster::InputError);
+}
+
 TEST_CASE("readImage takes no memory for attributes of an EXR file that are longer than the file", "[image]") {
   const TemporaryFolder folder;
   writeExr(folder.path / "a.exr", everyCode());
