@@ -92,7 +92,6 @@ line build threads suite "against the pinned $(tail -n 1 $pinned | cut -d' ' -f1
 if $quick; then
   scenes=$folder/scenes
   export_suite "$2/bin/hemitex" "$scenes"
-  native g++ -O0
   native clang++ "-O3 -march=x86-64-v3"
   aarch64 -O2
 else

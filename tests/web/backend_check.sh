@@ -23,11 +23,17 @@ done
 for file in $(grep -l '"passed-samples"' random/*/vector.json); do rm -r "$(dirname "$file")"; done
 ln -s "$PWD"/{suite,suite-2,random}/*/ all
 
-# Chromium starts without an answer now and then on a busy machine. A second start after that is no second try for a
-# wrong picture: only a time-out (124) gets one.
-draw() { timeout 60 node "$page/draw_suite.mjs" "$1" "drawn-$1" "$browser" "$2"; }
-draw probes "$3" || { [ $? = 124 ] && draw probes "$3"; }
-draw all "$3" 2>failures || { [ $? = 124 ] && draw all "$3" 2>failures; } || true
+# Chromium starts without an answer now and then. Further starts after that are no second try for a wrong picture: only
+# a time-out (124) gets one.
+draw() {
+  for start in 1 2 3 4; do
+    timeout 40 node "$page/draw_suite.mjs" "$1" "drawn-$1" "$browser" "$2" && return
+    [ $? = 124 ] || return 1
+  done
+  return 1
+}
+draw probes "$3"
+draw all "$3" 2>failures || true
 # WebGPU has no depths of exactly 24 bits. It refuses the vectors, and names the key.
 if [ "$3" = webgpu ]; then
   for file in $(grep -l '"unorm24"' {suite-2,random}/*/vector.json); do
