@@ -220,16 +220,17 @@ ordered_json writtenOrKept(const std::filesystem::path& checkpoint, const Write&
 
 void solve(SolveOptions asked, Context& context) {
   asked.ranks = context.ranks.get();
-  if (!context.isWriter()) return computeForRankZero(asked, context.console);
   Console& console = context.console;
-  if (asked.isContinued) asked.discretization.isUnburied = true;
-  Laps laps;
-  const radiosity::Scene scene = sceneOf(asked, console);
+  // Before the scene is read: the flux of its lamps depends on the unit.
   if (!asked.metresPerUnit) {
     std::vector<std::string> warnings;
     asked.metresPerUnit = radiosity::statedMetresPerUnit(asked.scene.file, warnings);
     console.warnings(warnings);
   }
+  if (!context.isWriter()) return computeForRankZero(asked, console);
+  if (asked.isContinued) asked.discretization.isUnburied = true;
+  Laps laps;
+  const radiosity::Scene scene = sceneOf(asked, console);
   asked.solver.residual = asked.residual.value_or(radiosity::defaultResidual(scene));
   requireLight(scene, asked.scene.file, ", or --sky 1,1,1 for light from outside");
   const radiosity::Camera camera = cameraOf(asked.camera, scene, asked.scene.file);

@@ -479,14 +479,21 @@ TEST_CASE("hemitex formfactors --at gives the rows of points and their sky view 
   writeAll(shell.file("points.csv"), "x,y,z,nx,ny,nz\r\n0,0,1,0,0,1\r\n0,0,0.999,0,0,1\r\n\n0,0,0,0,0,-1\n");
   const json rows = json::parse(shell.output(options + "--at points.csv --at 0,0,2,0,0,-1 --texels 2 --json"));
   CHECK(rows["row"].size() == 4 * 4);
-  CHECK(rows["row"][5]["point"] == 2);
+  CHECK(rows["row"][5]["source"] == 2);
   CHECK(rows["background"][0] == 1.0);
   CHECK(rows["background"][1].get<double>() < 1e-4);
   CHECK(rows["background"][2] == 1.0);
   CHECK(rows["back"][3].get<double>() == Approx(above).epsilon(1e-3));
   const auto lines = linesOf(shell.output(options + "--at points.csv --texels 1"));
-  CHECK(lines.at(0) == "point,surface,column,row,area,form_factor");
+  CHECK(lines.at(0) == "source,surface,column,row,area,form_factor");
   CHECK(lines.size() == 1 + 3);
+
+  // The row of a surface comes before those of points.
+  const json surface = json::parse(shell.output(options + "--from awning --by-surface --json")),
+             both = json::parse(shell.output(options + "--at 0,0,0,0,0,2 --from awning --by-surface --json"));
+  CHECK(both["from"] == json({"awning", "0,0,0,0,0,2"}));
+  CHECK(both["background"] == json({surface["background"], row["background"]}));
+  CHECK(both["row"][1]["form_factor"] == row["row"][0]["form_factor"]);
 }
 
 TEST_CASE("hemitex formfactors refuses points that are none with exit code 2", "[cli]") {
@@ -499,7 +506,6 @@ TEST_CASE("hemitex formfactors refuses points that are none with exit code 2", "
       {"--at missing.csv", "`missing.csv` is no point and no file"},
       {"--at faulty.csv", "faulty.csv:3: `0,0,0,0,0` is no point"},
       {"--at empty.csv", "has no point"},
-      {"--at 0,0,0,0,0,1 --from floor", "--from"},
       {"--at 0,0,0,0,0,1 --all --by-surface", "--all"},
       {"--at 0,0,0,0,0,1 --method rays", "needs a --method that draws"},
   }));

@@ -133,6 +133,17 @@ TEST_CASE("hemitex solve says how candela and lux of a glTF file were read", "[c
   CHECK(asRead["settings"]["sun"].size() == 2);
 }
 
+TEST_CASE("hemitex solve gives a lamp the same light whether an option or the file states the unit", "[cli]") {
+  const Shell shell;
+  writeCube(shell);
+  writeAll(shell.file("mm.obj"), "# units: mm\n" + readAll(shell.file("cube.obj")));
+  const std::string options = "--lamp 0.5,0.7,0.5=1,1,1 --texels 4";
+  const json byOption = solved(shell, "cube.obj -o option --units mm " + options),
+             byFile = solved(shell, "mm.obj -o file " + options);
+  CHECK(flux(byFile, "emitted") == flux(byOption, "emitted"));
+  CHECK(readAll(shell.file("file/elements.csv")) == readAll(shell.file("option/elements.csv")));
+}
+
 TEST_CASE("hemitex solve goes on from a checkpoint with lamps, and refuses one with others", "[cli]") {
   const Shell shell;
   writeCube(shell);

@@ -56,11 +56,11 @@ std::set<std::string> namesOn(const tests::Injection& injection, const TestVecto
   return names;
 }
 
-/// Whether the fault alone is named in a small part.
-bool isNamedIn(const tests::Injection& injection, const TestVector& vector) {
-  const std::vector<TestVector> parts = smallParts(vector);
-  return std::any_of(parts.begin(), parts.end(),
-                     [&](const TestVector& part) { return namesOn(injection, part) == std::set{injection.fault}; });
+/// The first small part in which the fault alone is named.
+std::optional<TestVector> partThatNames(const tests::Injection& injection, const TestVector& vector) {
+  for (const TestVector& part : smallParts(vector))
+    if (namesOn(injection, part) == std::set{injection.fault}) return part;
+  return {};
 }
 
 std::set<std::string> allFaults() {
@@ -77,30 +77,27 @@ TEST_CASE("diagnose names each known fault in one vector of at most 8 x 8 pixels
   std::map<std::string, TestVector> suite;
   for (const auto& vectors : {reference::vectorSuite(), reference::sceneVectors(HEMITEX_DATA)})
     for (const TestVector& vector : vectors) suite.emplace(vector.name, vector);
-  std::ifstream page(HEMITEX_DOCS "/faults.md");
-  std::map<std::string, std::string> lines;  // by fault
-  for (std::string line; std::getline(page, line);)
-    if (line.starts_with("| ")) lines[line.substr(2, line.find(" |") - 2)] = line;
   // Where several faults look alike on the vector of an injection.
-  const std::vector<std::string> others{"many-maps",         "layout-r5g6b5",
-                                        "shared-vertices",   "micro-grid-later-nearer",
-                                        "five-faces-tilted", "sample-grid-later-nearer",
-                                        "unique-maps",       "perspective-sheet",
-                                        "magnified"};
+  const std::array others{"many-maps",         "layout-r5g6b5",
+                          "shared-vertices",   "micro-grid-later-nearer",
+                          "five-faces-tilted", "sample-grid-later-nearer",
+                          "unique-maps",       "perspective-sheet",
+                          "magnified"};
   std::map<std::string, std::string> places;  // by fault
   std::set<std::string> injected;
   for (const tests::Injection& injection : tests::injectedFaults()) {
     injected.insert(injection.fault);
-    if (!suite.contains(injection.vector)) continue;
-    // The vector of the page first.
-    std::vector<std::string> vectors{injection.vector};
-    vectors.insert(vectors.end(), others.begin(), others.end());
-    std::stable_partition(vectors.begin(), vectors.end(), [&](const std::string& vector) {
-      return lines[injection.fault].ends_with("| `" + vector + "` |");
-    });
-    for (const std::string& vector : vectors)
-      if (!places.contains(injection.fault) && isNamedIn(injection, suite.at(vector))) places[injection.fault] = vector;
+    if (places.contains(injection.fault) || !suite.contains(injection.vector)) continue;
+    std::vector<const TestVector*> vectors{&suite.at(injection.vector)};
+    for (const char* other : others) vectors.push_back(&suite.at(other));
+    for (const TestVector* vector : vectors)
+      if (!places.contains(injection.fault) && partThatNames(injection, *vector))
+        places[injection.fault] = vector->name;
   }
+  std::ifstream page(HEMITEX_DOCS "/faults.md");
+  std::map<std::string, std::string> lines;  // by fault
+  for (std::string line; std::getline(page, line);)
+    if (line.starts_with("| ")) lines[line.substr(2, line.find(" |") - 2)] = line;
   // In so few pixels these look like other faults.
   const std::set<std::string> large{"carry across channels",     "faces swapped",     "item ID 0 taken for nothing",
                                     "small triangles not drawn", "triangles missing", "tiled memory read as rows",
