@@ -170,7 +170,7 @@ TEST_CASE("makeOpenGlRenderer draws version 2 of the rules; fixed function draws
   if (!hasDevice()) return;
   tests::Tally shader;
   int drawn = 0, refused = 0;  // by fixed function
-  for (const TestVector& vector : tests::version2Vectors(15))
+  for (const TestVector& vector : tests::version2Vectors(30))
     for (const OpenGlPath path : {OpenGlPath::FixedFunction, OpenGlPath::Shader, OpenGlPath::Plain}) {
       INFO(vector.name << ", path " << static_cast<int>(path));
       // At equal depths of different triangles the rounding of the device decides, and counts have no tolerance.
@@ -178,11 +178,15 @@ TEST_CASE("makeOpenGlRenderer draws version 2 of the rules; fixed function draws
       const auto renderer = rendererIfDrawn(vector.list, path);
       const bool isFixed = path == OpenGlPath::FixedFunction;
       if (isFixed) ++(renderer ? drawn : refused);
-      CHECK((renderer || isFixed));
+      const std::vector<raster::IndexMap>& maps = vector.list.indexMaps;
+      const bool isSimple =
+          vector.list.value == raster::PixelValue::ItemIds && std::none_of(maps.begin(), maps.end(), raster::hasHoles);
+      // Bytes cannot add the sums of some assemblies.
+      const bool mayRefuse = isFixed && (!isSimple || vector.name.starts_with("assemblies-"));
+      CHECK((renderer ? !isFixed || isSimple : mayRefuse));
       if (!renderer) continue;
-      CHECK((!isFixed || vector.list.value == raster::PixelValue::ItemIds));
       reference::DeviceProfile profile;
-      if (path != OpenGlPath::Shader) profile.texelPrecision = 0x1p-6;  // binary32, also at corners that clipping adds
+      if (path == OpenGlPath::Plain) profile.texelPrecision = 0x1p-6;  // binary32, also at corners that clipping adds
       const reference::Verdict verdict = judge(vector, render(*renderer, facesOf(vector), {}), profile);
       CHECK(!hasErrors(verdict));
       if (path == OpenGlPath::Shader) shader += tests::tallyOf(vector, verdict);

@@ -69,7 +69,7 @@ TEST_CASE("makeVulkanRenderer draws random vectors of all families without error
 TEST_CASE("makeVulkanRenderer draws version 2 of the rules without errors", "[vulkan]") {
   if (!hasDevice()) return;
   tests::Tally all;
-  for (const TestVector& vector : tests::version2Vectors(15)) {
+  for (const TestVector& vector : tests::version2Vectors(30)) {
     INFO(vector.name);
     const reference::Verdict verdict = judge(vector, draw(vector), {});
     CHECK(!hasErrors(verdict));
