@@ -171,7 +171,10 @@ class Editor {
       if (object.parent) *object.parent += firstObject;
       scene_.objects.push_back(std::move(object));
     }
-    rename(added.surfaces);
+    const std::map<std::string, std::string> newNames = rename(added.surfaces);
+    for (const auto& [covered, by] : added.coverings)
+      if (newNames.contains(covered) && newNames.contains(by))
+        scene_.coverings.emplace_back(newNames.at(covered), newNames.at(by));
     for (Surface& surface : added.surfaces) {
       surface.material += firstMaterial;
       if (surface.twin) *surface.twin += firstSurface;
@@ -259,8 +262,9 @@ class Editor {
     from = std::move(stay);
   }
 
-  /// Gives added surfaces names and families that neither the scene nor `removed` has.
-  void rename(std::vector<Surface>& added) const {
+  /// Gives added surfaces names and families that neither the scene nor `removed` has. Returns the new families by the
+  /// old ones.
+  std::map<std::string, std::string> rename(std::vector<Surface>& added) const {
     UniqueNames families, names;
     for (const std::vector<Surface>* surfaces : {&scene_.surfaces, &removed_})
       for (const Surface& surface : *surfaces)
@@ -268,7 +272,7 @@ class Editor {
           families.take(name);
           names.take(name);
         }
-    std::map<std::string, std::string> newNames;  // of families
+    std::map<std::string, std::string> newNames;
     for (Surface& surface : added) {
       const auto [known, isNew] = newNames.try_emplace(surface.family);
       if (isNew) known->second = families.add(surface.family);
@@ -276,6 +280,7 @@ class Editor {
       surface.name = names.add(family + surface.name.substr(surface.family.size()));
       surface.family = family;
     }
+    return newNames;
   }
 
   /// Gives each surface a changed copy of its material; surfaces that shared a material share the copy.

@@ -253,3 +253,13 @@ TEST_CASE("edited parts no surface from what it covers a part of", "[scene_edits
                       Catch::Contains("`poster` covers a part of `square0`, which would be a hole"));
   CHECK_NOTHROW(edited(scene, {}, std::vector<Edit>{Move{"*", {0, 0, 1}}, Remove{"square3"}}));
 }
+
+TEST_CASE("edited parts no added surface from what it covers a part of", "[scene_edits]") {
+  const TemporaryFolder folder;
+  std::ofstream(folder.path / "more.obj") << "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv .5 0 0\nv .5 1 0\n"
+                                             "g square0\nf 1 2 3 4\ng poster\nf 1 5 6 4\n";
+  const Edit add = Add{folder.path / "more.obj", {}, {0, 0, 3}};
+  CHECK_NOTHROW(edited(squares(), {}, std::vector<Edit>{add, Move{"square0", {0, 0, 1}}}));
+  CHECK_THROWS_WITH(edited(squares(), {}, std::vector<Edit>{add, Move{"poster", {0, 0, 1}}}),
+                    Catch::Contains("`poster` covers a part of `square0~2`"));
+}
