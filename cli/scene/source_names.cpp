@@ -2,13 +2,14 @@
 
 #include <filesystem>
 #include <optional>
-#include <sstream>
 #include <utility>
 
 #include "cli/common/numbers.h"
+#include "radiosity/base/text_lines.h"
 #include "radiosity/scene/surface_names.h"
 #include "raster/base/file_io.h"
 #include "raster/base/input_error.h"
+#include "raster/base/short_number.h"
 
 namespace hemitex::cli {
 namespace {
@@ -42,15 +43,16 @@ std::vector<NamedPoint> pointsNamed(const std::string& text) {
   if (!std::filesystem::is_regular_file(text, ignored))
     throw raster::InputError("--at: `" + raster::excerpt(text) + "` is no point and no file", form);
   std::vector<NamedPoint> points;
-  std::istringstream lines(raster::readFile(text, form));
-  int number = 0;
-  for (std::string line; std::getline(lines, line);) {
-    ++number;
-    if (!line.empty() && line.back() == '\r') line.pop_back();
-    const auto point = parsePoint(line);
-    if (point) points.push_back({line, *point});
-    if (!point && number > 1 && !line.empty())
-      throw raster::InputError(text, number, "`" + raster::excerpt(line) + "` is no point", form);
+  const std::filesystem::path file = text;
+  const std::string content = raster::readFile(file, form);
+  radiosity::LineReader lines(content, file);
+  for (bool isFirst = true; const auto line = lines.next(); isFirst = false) {
+    const std::string name(line->text);
+    const bool isHeading = isFirst && !raster::parseNumber(name.substr(0, name.find(',')));
+    if (const auto point = parsePoint(name))
+      points.push_back({name, *point});
+    else if (!isHeading)
+      radiosity::fail(lines.place(), "`" + raster::excerpt(name) + "` is no point", form);
   }
   if (points.empty()) throw raster::InputError(text, 0, "has no point", form);
   return points;

@@ -500,12 +500,14 @@ TEST_CASE("hemitex formfactors refuses points that are none with exit code 2", "
   const Shell shell;
   writeAll(shell.file("faulty.csv"), "x,y,z,nx,ny,nz\n0,0,0,0,0,1\n0,0,0,0,0\n");
   writeAll(shell.file("empty.csv"), "x,y,z,nx,ny,nz\n");
+  writeAll(shell.file("short.csv"), "0,0,0,0,0\n0,0,0,0,0,1\n");
   const auto [options, message] = GENERATE(table<std::string, std::string>({
       {"--at 0,0,0,0,0,0", "no point and no file"},
       {"--at 0,0,0", "no point and no file"},
       {"--at missing.csv", "`missing.csv` is no point and no file"},
       {"--at faulty.csv", "faulty.csv:3: `0,0,0,0,0` is no point"},
       {"--at empty.csv", "has no point"},
+      {"--at short.csv", "short.csv:1: `0,0,0,0,0` is no point"},
       {"--at 0,0,0,0,0,1 --all --by-surface", "--all"},
       {"--at 0,0,0,0,0,1 --method rays", "needs a --method that draws"},
   }));

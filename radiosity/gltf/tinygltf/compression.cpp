@@ -186,7 +186,7 @@ void addPlaceholders(json& file) {
     for (const json& primitive : mesh.value("primitives", json::array()))
       if (const json extension = extensionOf(primitive, dracoMeshes);
           primitive.contains("indices") && extension.is_object())
-        file["accessors"].at(primitive["indices"].get<std::size_t>()).emplace("bufferView", extension["bufferView"]);
+        file["accessors"].at(primitive["indices"].get<std::size_t>()).emplace("bufferView", extension.at("bufferView"));
 }
 
 /// Sets four bytes of a binary file.

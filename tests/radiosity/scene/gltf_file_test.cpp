@@ -249,6 +249,8 @@ TEST_CASE("readGltf reports compressed meshes whose data are broken", "[gltf]") 
   Gltf other = dracoRoom();
   other.text["meshes"][0]["primitives"][0]["extensions"]["KHR_draco_mesh_compression"]["attributes"]["POSITION"] = 9;
   CHECK_THAT(faultOf(other.glb()), Catch::Contains("mesh 0 is compressed with Draco, and its data are broken"));
+  other.text["meshes"][0]["primitives"][0]["extensions"]["KHR_draco_mesh_compression"].erase("bufferView");
+  CHECK_THAT(faultOf(other.glb()), Catch::Contains("is no valid glTF"));
 }
 
 TEST_CASE("solve ends with exit code 2 for a compressed mesh whose data are broken", "[gltf][cli]") {
