@@ -5,6 +5,7 @@
 
 #include "cli/solve/bands_file.h"
 #include "radiosity/bands/spectral_scene.h"
+#include "radiosity/meshes/length_unit.h"
 #include "radiosity/scene/load_scene.h"
 
 namespace hemitex::cli {
@@ -241,6 +242,11 @@ radiosity::Scene sceneInBands(const SolveOptions& options) {
 }
 
 }  // namespace
+
+SolveOptions withStatedUnit(SolveOptions options, std::vector<std::string>& warnings) {
+  if (!options.metresPerUnit) options.metresPerUnit = radiosity::statedMetresPerUnit(options.scene.file, warnings);
+  return options;
+}
 
 radiosity::Scene loadedScene(const SolveOptions& options) {
   radiosity::Scene scene = sceneInBands(options);

@@ -49,6 +49,10 @@ struct SolveOptions {
 /// Adds the options to the command. `options` and `context` must outlive the program.
 void addSolveOptions(Command command, SolveOptions& options, Context& context);
 
+/// The options with the unit of lengths that the file of the scene states, unless they give one. Appends warnings. The
+/// flux of lamps depends on the unit, so that this comes before the scene is read.
+SolveOptions withStatedUnit(SolveOptions options, std::vector<std::string>& warnings);
+
 /// Loads the scene in the bands of the options, and changes its materials as they ask: a colour means the bands that it
 /// stands for. Its files include those of the bands. Throws InputError as loading, as readBands, and for bands without
 /// light.

@@ -19,7 +19,6 @@
 #include "cli/solve/run.h"
 #include "cli/solve/run_size.h"
 #include "radiosity/discretization/exposure.h"
-#include "radiosity/meshes/length_unit.h"
 #include "radiosity/solver/dynamic_solution.h"
 #include "radiosity/textures/lit_scene.h"
 #include "raster/base/file_io.h"
@@ -221,12 +220,9 @@ ordered_json writtenOrKept(const std::filesystem::path& checkpoint, const Write&
 void solve(SolveOptions asked, Context& context) {
   asked.ranks = context.ranks.get();
   Console& console = context.console;
-  // Before the scene is read: the flux of its lamps depends on the unit.
-  if (!asked.metresPerUnit) {
-    std::vector<std::string> warnings;
-    asked.metresPerUnit = radiosity::statedMetresPerUnit(asked.scene.file, warnings);
-    console.warnings(warnings);
-  }
+  std::vector<std::string> warnings;
+  asked = withStatedUnit(std::move(asked), warnings);
+  console.warnings(warnings);
   if (!context.isWriter()) return computeForRankZero(asked, console);
   if (asked.isContinued) asked.discretization.isUnburied = true;
   Laps laps;

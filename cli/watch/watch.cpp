@@ -15,6 +15,7 @@
 #include <set>
 #include <thread>
 #include <utility>
+#include <vector>
 
 #include "cli/common/commands.h"
 #include "cli/common/interruption.h"
@@ -262,7 +263,9 @@ void requireUpdatable(Command command) {
 
 void watch(const WatchOptions& options, Context& context) {
   const LongRun untilSignal;
-  WatchedSolution solution(options.solve, context.inputs(), context.console);
+  std::vector<std::string> warnings;
+  WatchedSolution solution(withStatedUnit(options.solve, warnings), context.inputs(), context.console);
+  context.console.warnings(warnings);
   const Round first = solution.follow();
   if (isStopping()) return;
   print(first, "", context);

@@ -50,10 +50,12 @@ TEST_CASE("hemitex watch updates the solution after a saved colour, and solves a
   CHECK(readAll(shell.file("lit/report.html")).find(newsOf(shell)["version"].get<std::string>()) != std::string::npos);
 }
 
-TEST_CASE("hemitex watch solves in bands and along other rows, as hemitex solve does", "[cli]") {
+TEST_CASE("hemitex watch solves in bands, along other rows and in the unit of the file, as hemitex solve does",
+          "[cli]") {
   const Shell shell;
+  writeAll(shell.file("room.obj"), "# units: mm\n" + readAll(shell.file("room.obj")));
   writeAll(shell.file("bands.json"), R"({"wavelengths": [450, 500, 550, 600]})");
-  for (const std::string options : {"--bands bands.json", "--discretize mesh"}) {
+  for (const std::string options : {"--bands bands.json", "--discretize mesh", "--lamp 0.5,0.5,0.5=1,2,3"}) {
     CAPTURE(options);
     const Outcome outcome = shell.execute(watching(options, "sed -i 's/^Ke .*/Ke 3 3 3/' room.mtl\nnext"));
     CAPTURE(outcome.err);
