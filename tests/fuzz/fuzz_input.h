@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <string>
 
 #include "raster/base/input_error.h"
@@ -38,6 +39,18 @@ class InputFile {
   std::filesystem::path path_;
 };
 
+/// Counters that libFuzzer reads after each input, and clears. It keeps an input that raises a new one, as one that
+/// reaches new code: so it also looks for new messages in libraries whose code it does not observe.
+__attribute__((section("__libfuzzer_extra_counters"))) static std::uint8_t outcomes[512];
+
+/// Counts an outcome, such as a message: whatever its numbers, and what it quotes.
+inline void countOutcome(std::string outcome) {
+  const std::size_t quote = outcome.find('\'');
+  if (quote != outcome.npos) outcome.erase(quote, outcome.rfind('\'') - quote);
+  std::erase_if(outcome, [](char c) { return c >= '0' && c <= '9'; });
+  ++outcomes[std::hash<std::string>{}(outcome) % sizeof(outcomes)];
+}
+
 /// Calls `read` with one thread, and ignores the faults that it reports. With more threads, the same input would take
 /// other ways, and libFuzzer would keep it again.
 template <typename Read>
@@ -45,7 +58,9 @@ int ignoringInputErrors(const Read& read) {
   static const raster::ThreadLimit one(1);
   try {
     read();
-  } catch (const raster::InputError&) {
+    countOutcome({});
+  } catch (const raster::InputError& error) {
+    countOutcome(std::string(error.what()).substr(error.file().size()));
   }
   return 0;
 }

@@ -20,9 +20,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   static const fuzz::InputFile file("image.exr");
   constexpr std::uint64_t maxPixels = 1u << 16;
   const auto ignore = [](const radiosity::ImageSamples&, int) {};
-  if (isExr(data, size))
-    radiosity::imageFunctions().read(file.write(data, size).string(), maxPixels, ignore);
-  else
-    radiosity::imageFunctions().decode({data, data + size}, maxPixels, ignore);
+  const auto& images = radiosity::imageFunctions();
+  const auto problem = isExr(data, size) ? images.read(file.write(data, size).string(), maxPixels, ignore)
+                                         : images.decode({data, data + size}, maxPixels, ignore);
+  fuzz::countOutcome(problem.problem);
   return 0;
 }

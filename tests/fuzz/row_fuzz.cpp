@@ -23,6 +23,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (size == 0) return 0;
   const std::size_t number = data[0] % 4;
   const auto row = read(number, fuzz::textOf(data + 1, size - 1));
+  fuzz::countOutcome(row ? "a row" : "none");
   if (!row) return 0;
   const std::string text = cli::lineOf(*row);
   const auto again = read(number, text);
