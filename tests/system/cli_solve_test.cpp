@@ -34,7 +34,7 @@ TEST_CASE("hemitex solve --max-error chooses the settings and reports them", "[c
         std::string::npos);
 
   // Out of reach: one message with a bound that can be reached, and nothing is left behind.
-  const Outcome outcome = shell.run("solve room.obj --texels 4 --max-error 1e-9 -o out");
+  const Outcome outcome = shell.run("solve room.obj --texels 4 --max-error 5e-5 -o out");
   CHECK(outcome.exitCode == 2);
   CHECK(outcome.err.find("out of reach") != std::string::npos);
   CHECK_FALSE(fs::exists(shell.file("out")));
@@ -81,7 +81,7 @@ TEST_CASE("hemitex solve --max-error bounds the error in a room that has a thous
   writeRoomOnGround(shell);
   const std::string given =
       "solve house.obj --one-sided --sky 1,1,1 --size 40x30 --eye 4.5,1.6,3.5 --look-at 1.5,1.2,0 --json ";
-  shell.output(given + "--resolution 1024 --split 0.00005 --residual 5e-7 -o fine");
+  shell.output(given + "--resolution 512 --split 0.0002 --residual 5e-6 -o fine");
   for (const double bound : {0.05, 0.02}) {
     const json solution = json::parse(shell.output(given + "--max-error " + std::to_string(bound) + " -o found"));
     const double all = solution["expected_error"], seen = solution["expected_error_seen"];
