@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "radiosity/meshes/polygon_mesh.h"
-#include "reference/rows/sparse_row.h"
+#include "reference/matrices/sparse_row.h"
 
 namespace hemitex::cli {
 

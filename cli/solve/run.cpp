@@ -6,7 +6,6 @@
 
 #include "radiosity/discretization/discretize.h"
 #include "radiosity/pictures/visibility.h"
-#include "reference/matrices/matrix_rows.h"
 
 namespace hemitex::cli {
 namespace {

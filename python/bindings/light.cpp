@@ -212,7 +212,7 @@ py::dict sensitivityOf(const Solved& solved, const py::object& weights, py::obje
     };
     radiosity::Sensitivity sensitivity;
     radiosity::LightHooks hooks = hooksOf(solved.method);
-    hooks.solve = [&](const radiosity::SolveInput& input, const radiosity::Progress&) {
+    hooks.solve = [&](const radiosity::SolveInput& input) {
       sensitivity = radiosity::sensitivity(input, ofElements, tell);
       return radiosity::Solution();
     };

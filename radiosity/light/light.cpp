@@ -84,21 +84,21 @@ class Solutions {
     if (sharesRows()) {
       ahead.emplace(*hooks_.ranks, drawn, settings.solver.rowCacheBytes);
       rows.rowOf = [&](const Patch& patch) { return ahead->row(patch); };
-      rows.prepare = [&](const Step& step) { ahead->lookAhead(step); };
+      rows.prepare = [&](const NextShots& next) { ahead->lookAhead(next); };
     }
-    const Progress progress = preparing(rows, start.progress);
     SolveInput input{.scene = scene_,
                      .discretization = result_.discretization,
                      .patches = std::move(result_.discretization.patches),
                      .rowOf = rows.rowOf,
                      .split = rows.split,
+                     .prepare = rows.prepare,
                      .settings = settings.solver,
                      .outside = drawn.outsideFlux(),
                      .seen = seenLight(drawn),
                      .snapshot = start.snapshot ? &*start.snapshot : nullptr,
                      .isContinued = settings.isContinued};
     result_.solution =
-        hooks_.solve ? hooks_.solve(std::move(input), progress) : radiosity::solve(std::move(input), progress);
+        hooks_.solve ? hooks_.solve(std::move(input)) : radiosity::solve(std::move(input), start.progress);
     if (ahead) {
       endTasks(*hooks_.ranks);
       result_.rowsAhead = ahead->counts();

@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "radiosity/discretization/discretization.h"
+#include "radiosity/form_factors/rows_ahead.h"
 #include "radiosity/form_factors/scene_form_factors.h"
 #include "radiosity/index_maps/id_layout.h"
 #include "radiosity/ranks/messenger.h"
-#include "radiosity/ranks/rows_ahead.h"
 #include "radiosity/scene/scene.h"
 #include "radiosity/solver/dynamic_solution.h"
 #include "radiosity/solver/error_control.h"
@@ -44,7 +44,7 @@ struct LightHooks {
   std::function<SolutionStart(const SolverSettings& settings)> start = {};
   OtherRows rows = {};
   /// Finds a solution in another way than `solve`.
-  std::function<Solution(SolveInput input, const Progress& progress)> solve = {};
+  std::function<Solution(SolveInput input)> solve = {};
   Messenger* ranks = nullptr;  ///< the ranks that share drawn rows; null if this process is alone
 };
 
