@@ -25,10 +25,14 @@ radiosity::LightSettings lightSettings(const SolveOptions& options, const radios
                                     .adaptive = options.adaptive,
                                     .elements = options.discretization,
                                     .isContinued = options.isContinued};
-  if (boundsRows(options))
-    settings.solver.residual = radiosity::residualFor(*options.maxError);
-  else
+  if (boundsLight(options)) {
     settings.maxError = options.maxError;
+    settings.coarsest = options.coarsest;
+    settings.residual = options.residual;
+  } else if (options.maxError) {
+    const double bound = radiosity::residualFor(*options.maxError);
+    settings.solver.residual = std::min(bound, options.residual.value_or(bound));
+  }
   if (followsCamera(options)) settings.seen = seenIn(options.camera, scene, camera);
   return settings;
 }

@@ -21,8 +21,11 @@ struct LightSettings {
   DrawingSettings drawing = {};
   SolverSettings solver = {};
   /// Above 0. Solves with growing effort until both expected errors are within it (error_control.h): chooses the
-  /// resolution and the splits of `drawing`, and the residual of `solver`.
+  /// resolution and the splits of `drawing`, and the residual of `solver`. A solution that the shots of `solver` end is
+  /// the last one.
   std::optional<double> maxError = {};
+  Effort coarsest = EffortLimits().coarsest;  ///< with maxError: where the effort begins
+  std::optional<double> residual = {};        ///< with maxError: the residual is at most this
   std::vector<bool> seen = {};  ///< whether surfaces are seen, whose light decides with all light; see SeenLight
   /// Above 0. Splits elements where radiosity changes by more than this share (adaptive_subdivision.h).
   std::optional<double> adaptive = {};
@@ -54,14 +57,14 @@ struct Light {
   IdLayout layout = {};
   Solution solution = {};                          ///< without its patches
   double captured = 1;                             ///< see PatchRows
-  std::optional<LightErrors> expectedErrors = {};  ///< with maxError, unless the progress ended the choice
+  std::optional<LightErrors> expectedErrors = {};  ///< with maxError, if two solutions were compared
   std::optional<RowCounts> rowsAhead = {};         ///< of the last solution, with ranks
 };
 
 /// Solves a scene with elements, which adaptive ones replace; with both, the error on adaptive elements is bounded. If
 /// the progress ends a solution, the result is that of its last shot. With several ranks all call this; ranks other
 /// than 0 compute rows, and their result has no light. Throws InputError as `solve`, as chooseEffort and as
-/// adaptiveDiscretization, and for maxError without hemicubes.
+/// discretize, and for maxError without hemicubes.
 Light light(const Scene& scene, Discretization discretization, const LightSettings& settings = {},
             const LightHooks& hooks = {});
 

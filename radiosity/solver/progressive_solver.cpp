@@ -260,7 +260,7 @@ double defaultResidual(const Scene& scene) {
   return brightest(scene.outside) > 0 ? withoutOutside * outsideShare : withoutOutside;
 }
 
-const char* endOf(const Solution& solution, const SolverSettings& settings) {
+std::string endOf(const Solution& solution, const SolverSettings& settings) {
   if (solution.isInterrupted) return "progress";
   return settings.shots && solution.shots >= *settings.shots ? "shots" : "residual";
 }

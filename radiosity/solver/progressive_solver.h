@@ -105,7 +105,7 @@ struct Step {
 using Progress = std::function<bool(const Step&)>;
 
 /// What ended a solution with these settings: `progress`, `shots` or `residual`.
-const char* endOf(const Solution& solution, const SolverSettings& settings);
+std::string endOf(const Solution& solution, const SolverSettings& settings);
 
 /// Starts from the emission of the elements and the light from outside, and shoots until a limit of the settings is
 /// reached. The result does not depend on the number of threads, on the memory of the row cache, or on snapshots.
