@@ -17,7 +17,9 @@
 #include "radiosity/discretization/discretize.h"
 #include "radiosity/form_factors/rows_ahead.h"
 #include "radiosity/form_factors/scene_form_factors.h"
+#include "radiosity/ranks/shared_tasks.h"
 #include "radiosity/scene/load_scene.h"
+#include "radiosity/solver/progressive_solver.h"
 #include "raster/base/parallel.h"
 
 using namespace hemitex;
