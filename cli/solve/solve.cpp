@@ -17,7 +17,6 @@
 #include "cli/solve/options.h"
 #include "cli/solve/output.h"
 #include "cli/solve/run.h"
-#include "cli/solve/run_size.h"
 #include "radiosity/discretization/exposure.h"
 #include "radiosity/solver/dynamic_solution.h"
 #include "radiosity/textures/lit_scene.h"

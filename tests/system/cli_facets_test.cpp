@@ -7,7 +7,7 @@
 #include <sstream>
 #include <string>
 
-#include "radiosity/meshes/vtk_xml_file.h"
+#include "radiosity/meshes/mesh_formats.h"
 #include "reference/matrices/matrix_files.h"
 #include "reference/truth/solution/direct_solution.h"
 #include "tests/support/shell.h"
