@@ -167,17 +167,18 @@ def test_edit_equals_hemitex_solve_with_edits(tmp_path: Path) -> None:
 
 def test_solve_with_a_bound_equals_hemitex_solve(tmp_path: Path) -> None:
     room = DATA / "paper-room.obj"
-    solution = hx.solve(hx.discretize(hx.load_scene(room), texels=4), max_error=0.05)
+    elements = hx.discretize(hx.load_scene(room), texels=4)
+    solution = hx.solve(elements, max_error=0.05)
     run("solve", room, "--texels", 4, "--max-error", 0.05, "-o", tmp_path)
     about = json.loads((tmp_path / "solution.json").read_text())
     assert np.array_equal(solution.radiosity, elements_of(tmp_path)["radiosity"])
     assert solution.expected_error == max(about["expected_error"], about["expected_error_seen"])
     limits = ["--resolution", 192, "--residual", 0.003, "--shots", 5000]
     run("solve", room, "--texels", 4, "--max-error", 0.05, *limits, "-o", tmp_path)
-    limited = hx.solve(solution.elements, max_error=0.05, resolution=192, residual=0.003, shots=5000)
+    limited = hx.solve(elements, max_error=0.05, resolution=192, residual=0.003, shots=5000)
     assert np.array_equal(limited.radiosity, elements_of(tmp_path)["radiosity"])
     assert limited.residual <= 0.003 and limited.ended_by == "residual"
-    ended = hx.solve(solution.elements, max_error=0.05, shots=7)
+    ended = hx.solve(elements, max_error=0.05, shots=7)
     assert ended.shots == 7 and ended.ended_by == "shots" and ended.expected_error is None
 
 
