@@ -4,22 +4,28 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <array>
 #include <boost/algorithm/string.hpp>
+#include <chrono>
 #include <csignal>
+#include <cstdio>
 #include <cstdlib>
 #include <exception>
 #include <iostream>
 #include <new>
 #include <optional>
 #include <sstream>
+#include <string>
 #include <string_view>
 #include <system_error>
+#include <thread>
 
 #include "cli/common/interruption.h"
-#include "cli/common/launched_rank.h"
+#include "cli/common/numbers.h"
 #include "cli/common/staging.h"
 #include "cli/help/command_tree.h"
 #include "cli/help/shell_files.h"
+#include "radiosity/ranks/messenger.h"
 #include "raster/base/input_error.h"
 #include "raster/base/memory_budget.h"
 #include "raster/base/parallel.h"
@@ -123,6 +129,60 @@ bool isLackOfMemory(const std::exception& error) {
     std::cerr << "hemitex: error: internal error" << std::endl;
   }
   std::_Exit(ourFault);
+}
+
+/// The place of a process in a parallel run. mpirun and srun start a process per rank and tell each its rank by
+/// environment variables. So a process knows its rank before it loads MPI.
+struct LaunchedRank {
+  int rank = 0;
+  std::optional<int> ranks;  ///< nothing if the launcher does not tell
+};
+
+std::optional<int> numberIn(const char* variable) {
+  const char* const text = variable != nullptr ? std::getenv(variable) : nullptr;
+  return text != nullptr ? parseInteger(text) : std::nullopt;
+}
+
+/// The variables of a launcher. The number of ranks may be unknown.
+struct Launcher {
+  const char *rank, *ranks;
+};
+
+/// Open MPI's mpirun, PMI and PMIx (srun --mpi=pmi2 and pmix; that of MPICH is refused later). Slurm's own variables
+/// are no evidence: they are also set for the script of a job, which runs once.
+constexpr std::array launchers{Launcher{"OMPI_COMM_WORLD_RANK", "OMPI_COMM_WORLD_SIZE"},
+                               Launcher{"PMI_RANK", "PMI_SIZE"}, Launcher{"PMIX_RANK", nullptr}};
+
+/// The rank of this process if it was started with other ranks.
+std::optional<LaunchedRank> launchedRank() {
+  for (const Launcher& launcher : launchers)
+    if (const std::optional<int> rank = numberIn(launcher.rank)) {
+      const LaunchedRank launched{*rank, numberIn(launcher.ranks)};
+      return launched.ranks == 1 ? std::nullopt : std::optional(launched);
+    }
+  return std::nullopt;
+}
+
+/// Throws InputError if MPI has other ranks than the launcher. This is so where the launcher belongs to another MPI.
+void requireSameRanks(const radiosity::Messenger& ranks, const LaunchedRank& launched) {
+  if (ranks.rank() != launched.rank || ranks.ranks() != launched.ranks.value_or(ranks.ranks()))
+    throw raster::InputError("the launcher's MPI is not the one that hemitex was built with",
+                             "start hemitex by mpirun of Open MPI, or by srun --mpi=pmix");
+}
+
+/// From now on, nothing that this process prints is seen.
+void silence() {
+  for (std::FILE* stream : {stdout, stderr})
+    if (std::freopen("/dev/null", "w", stream) == nullptr) std::fclose(stream);
+}
+
+/// Reports an error of this rank to rank 0, and waits until rank 0 ends all ranks.
+[[noreturn]] void reportToWriter(radiosity::Messenger& ranks, int exitCode, const std::string& text) {
+  ranks.send(0, radiosity::MessageKind::Failed, static_cast<char>(exitCode) + text);
+  while (true) {
+    ranks.receive();  // lets MPI send
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
 }
 
 int run(const Program& program, int argc, char** argv, Context& context) {

@@ -35,9 +35,9 @@ void requireMatrixFile(const FormFactorOptions& options) {
 }
 
 /// Meshes without materials have facets, of one texel unless another size is given.
-void completeFacets(FormFactorOptions& options, Command command) {
+void completeFacets(FormFactorOptions& options) {
   if (options.facets || (radiosity::isPlainMesh(options.scene.file) && !options.bySurface))
-    chooseFacets(command, options.scene.settings, options.discretization);
+    chooseFacets(options.scene.settings, options.discretization);
 }
 
 }  // namespace
@@ -117,7 +117,7 @@ void addFormFactors(Command program, Context& context) {
     if (!options->at.empty() && !projectionNamed(options->method))
       usageError("--at", "needs a --method that draws: hemicube, single-plane or tetrahedron");
     if (options->all && !options->bySurface) requireMatrixFile(*options);
-    completeFacets(*options, command);
+    completeFacets(*options);
     if (options->maxError && !(isSparse(*options) && options->scene.settings.facets))
       usageError("--max-error", "bounds the rows of a matrix of facets; add --all --facets -o FILE.npz");
     if (!options->vtu.empty() && !(isSparse(*options) && options->scene.settings.facets))

@@ -1,25 +1,30 @@
 #include "cli/formfactors/matrix_output.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <iostream>
 #include <limits>
 #include <map>
 #include <memory>
 #include <set>
 #include <sstream>
+#include <string>
+#include <vector>
 
 #include "cli/common/json.h"
-#include "cli/formfactors/facet_values.h"
 #include "cli/formfactors/row_file.h"
 #include "cli/scene/facet_file.h"
 #include "cli/scene/scene_hash.h"
+#include "radiosity/meshes/polygon_mesh.h"
 #include "radiosity/ranks/shared_tasks.h"
 #include "radiosity/scene/surface_names.h"
 #include "raster/base/file_io.h"
+#include "raster/base/input_error.h"
 #include "reference/base/hashes/sha256.h"
 #include "reference/matrices/matrix_files.h"
 #include "reference/matrices/npz_file.h"
 #include "reference/matrices/smoothing.h"
+#include "reference/matrices/sparse_row.h"
 #include "reference/truth/solution/form_factor_matrix.h"
 
 namespace hemitex::cli {
@@ -69,6 +74,54 @@ void tellChecks(const std::vector<OutsideShares>& outside, const reference::Matr
                   " of the flux of the smaller surface (" + families.names[checks.from] + " and " +
                   families.names[checks.to] + ")");
 }
+
+/// What a matrix of form factors says of each facet, as values that a picture of the mesh shows.
+class FacetValues {
+ public:
+  /// `chosen` are facets whose rows are shown. Throws InputError if one is not below `facets`.
+  FacetValues(std::size_t facets, const std::vector<int>& chosen)
+      : facets_(facets), chosen_(chosen), rows_(chosen.size()) {
+    for (const int facet : chosen_)
+      if (static_cast<std::size_t>(facet) >= facets)
+        throw raster::InputError("the mesh has no facet " + std::to_string(facet),
+                                 "it has " + std::to_string(facets) + ", counted from 0");
+  }
+
+  /// Takes the next row, with the columns of surroundings and backs, and the estimate of its error.
+  void take(const reference::SparseRow& row, double error) {
+    for (std::size_t c = 0; c < chosen_.size(); ++c)
+      if (static_cast<std::size_t>(chosen_[c]) == sum_.values.size()) rows_[c] = row;
+    double sum = 0, surroundings = 0, backs = 0;
+    for (std::size_t k = 0; k < row.column.size(); ++k)
+      (row.column[k] < facets_ ? sum : row.column[k] == facets_ ? surroundings : backs) += row.value[k];
+    sum_.values.push_back(sum);
+    surroundings_.values.push_back(surroundings);
+    backs_.values.push_back(backs);
+    error_.values.push_back(error);
+  }
+
+  /// After all rows, one value per facet: `row_sum` over facets, `surroundings`, `backs`, and where rows have one the
+  /// estimated `error`. Then for each chosen facet N `form_factor_from_N`, and `standard_error_from_N` if there are
+  /// any.
+  std::vector<radiosity::FaceArray> arrays() const {
+    std::vector<radiosity::FaceArray> arrays{sum_, surroundings_, backs_};
+    if (std::any_of(error_.values.begin(), error_.values.end(), [](double e) { return e > 0; }))
+      arrays.push_back(error_);
+    for (std::size_t c = 0; c < chosen_.size(); ++c) {
+      const std::string facet = std::to_string(chosen_[c]);
+      const reference::SparseRow& row = rows_[c];
+      arrays.push_back({"form_factor_from_" + facet, 1, row.spread(row.value, facets_)});
+      if (!row.error.empty()) arrays.push_back({"standard_error_from_" + facet, 1, row.spread(row.error, facets_)});
+    }
+    return arrays;
+  }
+
+ private:
+  std::size_t facets_;
+  radiosity::FaceArray sum_{"row_sum"}, surroundings_{"surroundings"}, backs_{"backs"}, error_{"error"};
+  std::vector<int> chosen_;
+  std::vector<reference::SparseRow> rows_;  ///< of the chosen facets
+};
 
 /// Identifies the computation of a matrix.
 Computation computationOf(const FormFactorOptions& options, const radiosity::Scene& scene) {

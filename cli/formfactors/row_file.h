@@ -11,7 +11,7 @@
 #include <string_view>
 
 #include "cli/common/staging.h"
-#include "reference/rows/sparse_row.h"
+#include "reference/matrices/sparse_row.h"
 
 namespace hemitex::cli {
 

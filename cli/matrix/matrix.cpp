@@ -41,7 +41,7 @@ struct Mesh {
 };
 
 Mesh meshOf(SceneOptions options, Console& console) {
-  radiosity::DiscretizationSettings elements{.texels = 1};
+  radiosity::DiscretizationSettings elements;
   chooseFacets(options.settings, elements);
   Mesh mesh{radiosity::withoutBuried(sceneOf(options, console)), {}, {}};
   mesh.discretization = radiosity::discretize(mesh.scene, elements);

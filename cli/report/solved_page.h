@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "radiosity/form_factors/back_absorption.h"
+#include "radiosity/light/back_absorption.h"
 #include "radiosity/scene/scene.h"
 
 namespace hemitex::cli {

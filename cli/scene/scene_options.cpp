@@ -162,15 +162,11 @@ void requireLight(const radiosity::Scene& scene, const std::filesystem::path& fi
   radiosity::requireEmission(scene, file);
 }
 
-void chooseFacets(Command command, radiosity::SceneSettings& scene, radiosity::DiscretizationSettings& elements) {
-  chooseFacets(scene, elements);
-  if (!command.isGiven("--texels") && !command.isGiven("--texel-size")) elements.texels = 1;
-}
-
 void chooseFacets(radiosity::SceneSettings& scene, radiosity::DiscretizationSettings& elements) {
   scene.facets = true;
   if (scene.sides != radiosity::Sides::Two) scene.sides = radiosity::Sides::One;
   elements.isUnburied = true;
+  if (!elements.texels && !elements.texelSize) elements.texels = 1;
 }
 
 void addDiscretizationOptions(Command command, radiosity::DiscretizationSettings& settings) {

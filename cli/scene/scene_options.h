@@ -36,10 +36,8 @@ radiosity::Scene sceneOf(const SceneOptions& options, Console& console);
 void requireLight(const radiosity::Scene& scene, const std::filesystem::path& file,
                   const std::string& alternative = "");
 
-/// Makes each face of a file a facet: a surface, with --two-sided two. It is one element unless the command line gives
-/// a size of texels.
-void chooseFacets(Command command, radiosity::SceneSettings& scene, radiosity::DiscretizationSettings& elements);
-/// As above, without a command line.
+/// Makes each face of a file a facet: a surface, with --two-sided two. It is one element unless the settings have a
+/// size of texels.
 void chooseFacets(radiosity::SceneSettings& scene, radiosity::DiscretizationSettings& elements);
 
 /// Adds the options for dividing surfaces into elements and patches.

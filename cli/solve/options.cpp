@@ -54,13 +54,12 @@ void addMethodOptions(Command command, SolveOptions& options) {
 void addSolverOptions(Command command, SolveOptions& options) {
   radiosity::SolverSettings& settings = options.solver;
   command = command.under("Accuracy and memory");
-  const Option residual =
-      addPositive(command, "--residual", options.residual, std::numeric_limits<double>::infinity(),
-                  "stop when the unshot flux is at most this share of the emitted flux (default 0.001, or 0.00001 with "
-                  "light from outside, and less until what the camera sees is lit)");
+  addPositive(command, "--residual", options.residual, std::numeric_limits<double>::infinity(),
+              "stop when the unshot flux is at most this share of the emitted flux (default 0.001, or 0.00001 with "
+              "light from outside, and less until what the camera sees is lit; with --max-error a tenth of the bound, "
+              "if that is less)");
   addInteger(command, "--shots", settings.shots, 0, std::numeric_limits<int>::max(),
-             "stop after N shots, or at the default residual (default: see --residual)")
-      .excludes(residual);
+             "stop after N shots, or at the residual, whichever comes first (default: see --residual)");
   const auto readCache = [&settings](const std::string& text) {
     const int mebibytes = integerOption("--row-cache", text, 0, std::numeric_limits<int>::max());
     settings.rowCacheBytes = static_cast<std::size_t>(mebibytes) << 20;
@@ -72,20 +71,16 @@ void addSolverOptions(Command command, SolveOptions& options) {
 
 /// Adds the options that choose other settings: --max-error and --adaptive.
 void addChosenSettings(Command command, SolveOptions& options) {
-  const Option maxError =
-      addPositive(command.under("Accuracy and memory"), "--max-error", options.maxError, 1,
-                  "choose --resolution, --split and --residual so that the expected error is at most this share, such "
-                  "as 0.01, both "
-                  "of all flux and of the flux of the surfaces that the camera sees; of facets, bound the error of "
-                  "every row of form factors, as `hemitex formfactors` does (default: use the given values)");
-  for (const char* chosen : {"--resolution", "--split", "--residual", "--shots"})
-    maxError.excludes(command.option(chosen));
-  const Option adaptive = addPositive(
+  addPositive(command.under("Accuracy and memory"), "--max-error", options.maxError, 1,
+              "choose --resolution, --split and --residual so that the expected error is at most this share, such as "
+              "0.01, both of all flux and of the flux of the surfaces that the camera sees; given values limit the "
+              "choice. Of facets without texels, bound the error of every row of form factors, as `hemitex "
+              "formfactors` does (default: use the given values)");
+  addPositive(
       command.under("Elements"), "--adaptive", options.adaptive, 1,
       "subdivide elements in quadtrees where radiosity changes fast, from 4 x 4 elements per surface to its --texels "
-      "(default: no quadtrees). An element is split if its area times the change across it is above this share of all "
-      "flux. 0.0001 is a good start.");
-  adaptive.excludes(command.option("--texel-size"));
+      "or --texel-size, rounded up to a power of two (default: no quadtrees). An element is split if its area times "
+      "the change across it is above this share of all flux. 0.0001 is a good start.");
 }
 
 /// Adds --facets, --no-facets and --matrix.
@@ -104,20 +99,18 @@ void addFacetOptions(Command command, SolveOptions& options) {
                                      "take the form factors of facets from this file, which `hemitex formfactors "
                                      "--all` or another program computed for the same mesh (default: compute them)",
                                      "FILE");
-  for (const char* other : {"--no-facets", "--texels", "--texel-size", "--surface", "--adaptive", "--max-error",
-                            "--method", "--resolution", "--orientation", "--split"})
+  for (const char* other : {"--no-facets", "--texels", "--texel-size", "--surface", "--adaptive", "--method",
+                            "--resolution", "--orientation", "--split"})
     matrix.excludes(command.option(other));
-  command.option("--facets").excludes(command.option("--adaptive"));
 }
 
 /// Chooses facets where they are asked for, and for meshes without materials.
-void completeFacets(Command command, SolveOptions& options) {
+void completeFacets(SolveOptions& options) {
   const bool isDefault = radiosity::isPlainMesh(options.scene.file) && !options.noFacets &&
                          options.scene.settings.sides != radiosity::Sides::Two && !options.adaptive &&
                          options.edits.empty();
   if (!options.facets && !isDefault && options.matrix.empty()) return;
-  chooseFacets(command, options.scene.settings, options.discretization);
-  if (options.maxError) refuseUnused(command, {"--texels", "--texel-size", "--surface"}, "hemicube --max-error");
+  chooseFacets(options.scene.settings, options.discretization);
 }
 
 /// Adds the options of display textures.
@@ -144,12 +137,9 @@ void addInsist(Command command, bool& insists) {
 void addOmissions(Command command, SolveOptions& options) {
   command = command.under("Output");
   command.addFlag("--no-elements", options.noElements, "do not write elements.csv, which has a line per element");
-  const Option noTextures = command.addFlag(
-      "--no-textures", options.noTextures,
-      "do not write textures, nor scene.obj, scene.mtl and scene.glb, which show them; render.png shows elements "
-      "without filtering. For scenes of many millions of elements.");
-  for (const char* ofTextures : {"--filter", "--magnify", "--lightmap"})
-    noTextures.excludes(command.option(ofTextures));
+  command.addFlag("--no-textures", options.noTextures,
+                  "do not write textures, nor scene.obj, scene.mtl and scene.glb, which show them; render.png shows "
+                  "elements without filtering. For scenes of many millions of elements.");
 }
 
 void addEdits(Command command, std::filesystem::path& edits) {
@@ -259,9 +249,18 @@ void completeOptions(Command command, SolveOptions& options) {
                options.method);
   // --max-error chooses settings of hemicubes.
   if (options.method != "hemicube") refuseUnused(command, {"--max-error"}, options.method);
-  completeFacets(command, options);
-  // Quadtrees need grids of equal powers of two.
-  if (options.adaptive && !options.discretization.texels) options.discretization.texels = 16;
+  // Quadtrees begin with a few elements, and their texels are only the finest ones.
+  if (options.adaptive && !options.discretization.texelSize)
+    options.discretization.texels = options.discretization.texels.value_or(16);
+  completeFacets(options);
+  if (boundsRows(options)) refuseUnused(command, {"--resolution", "--split"}, "hemicube --max-error for facets");
+  if (boundsLight(options)) {
+    if (command.isGiven("--resolution")) options.coarsest.resolution = options.drawing.resolution;
+    if (command.isGiven("--split")) options.coarsest.split = options.drawing.split;
+  }
+  if (!hasTextures(options))
+    for (const char* ofTextures : {"--filter", "--magnify"})
+      if (command.isGiven(ofTextures)) usageError(ofTextures, "is of textures, which --no-textures leaves out");
   if (const auto projection = projectionNamed(options.method)) options.drawing.projection = *projection;
   options.solver.keepsIrradiance = options.lightmap;
   validateFilter(options);
@@ -270,15 +269,25 @@ void completeOptions(Command command, SolveOptions& options) {
 
 bool usesRays(const SolveOptions& options) { return options.method == "rays"; }
 
-bool boundsRows(const SolveOptions& options) { return options.scene.settings.facets && options.maxError; }
+bool boundsRows(const SolveOptions& options) {
+  const radiosity::DiscretizationSettings& elements = options.discretization;
+  const bool areElements = elements.texels == 1 && elements.surfaceTexels.empty() && !options.adaptive;
+  return options.maxError && options.scene.settings.facets && areElements && options.matrix.empty();
+}
+
+bool boundsLight(const SolveOptions& options) {
+  return options.maxError && !boundsRows(options) && options.matrix.empty();
+}
 
 bool followsCamera(const SolveOptions& options) {
-  return options.maxError ? !boundsRows(options) : !options.residual && !options.solver.shots;
+  return options.maxError ? boundsLight(options) : !options.residual && !options.solver.shots;
 }
 
 bool usesDrawnRows(const SolveOptions& options) {
   return !usesRays(options) && !boundsRows(options) && options.matrix.empty();
 }
+
+bool hasTextures(const SolveOptions& options) { return !options.noTextures || options.lightmap; }
 
 bool writesFacets(const SolveOptions& options) { return options.scene.settings.facets && !options.isContinued; }
 

@@ -9,6 +9,7 @@
 #include "cli/scene/scene_options.h"
 #include "cli/solve/checkpoint.h"
 #include "radiosity/ranks/messenger.h"
+#include "radiosity/solver/error_control.h"
 #include "radiosity/solver/progressive_solver.h"
 #include "radiosity/textures/lit_scene.h"
 #include "radiosity/textures/texture_filter.h"
@@ -29,8 +30,9 @@ struct SolveOptions {
   radiosity::SolverSettings solver;
   std::optional<double> residual;  ///< of `solver`; see radiosity::defaultResidual
   std::optional<double> maxError;
-  std::optional<radiosity::TextureFilter> filter;  ///< see filterOf for the default
-  std::optional<int> magnification;                ///< see magnificationOf for the default
+  radiosity::Effort coarsest = radiosity::EffortLimits().coarsest;  ///< as given with maxError
+  std::optional<radiosity::TextureFilter> filter;                   ///< see filterOf for the default
+  std::optional<int> magnification;                                 ///< see magnificationOf for the default
   CameraOptions camera;
   std::filesystem::path edits;            ///< empty if there are none
   std::filesystem::path bands;            ///< empty: the bands are R, G and B
@@ -65,10 +67,15 @@ void completeOptions(Command command, SolveOptions& options);
 bool usesRays(const SolveOptions& options);
 /// Whether rows are drawn: neither cast, nor those of a matrix, nor rows with a bounded error.
 bool usesDrawnRows(const SolveOptions& options);
-/// Whether --max-error bounds the rows of facets.
+/// Whether --max-error bounds the rows of facets without texels.
 bool boundsRows(const SolveOptions& options);
+/// Whether --max-error bounds the light, and chooses the effort; otherwise it bounds rows, or the end alone of a
+/// matrix.
+bool boundsLight(const SolveOptions& options);
 /// Whether the light of what the camera sees decides when the solution ends: unless its end is given.
 bool followsCamera(const SolveOptions& options);
+/// Whether display textures or light maps are written.
+bool hasTextures(const SolveOptions& options);
 /// Whether scene.vtu shows the facets.
 bool writesFacets(const SolveOptions& options);
 

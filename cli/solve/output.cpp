@@ -63,6 +63,10 @@ std::vector<radiosity::FaceArray> facetArrays(const SolvedScene& solved) {
   return arrays;
 }
 
+radiosity::TextureLayout texturesOf(const SolvedScene& solved) {
+  return radiosity::layOutTextures(solved.scene, solved.discretization, magnificationOf(solved.options));
+}
+
 std::vector<std::string> writeLightMaps(const std::filesystem::path& folder, const SolvedScene& solved,
                                         const radiosity::TextureLayout& layout, const radiosity::PictureView& view) {
   std::vector<glm::dvec3> irradiance = solved.solution.irradiance;
@@ -79,13 +83,13 @@ std::set<std::string> outputNames(const SolveOptions& options, const radiosity::
   std::set<std::string> names{"scene.view.json", "render.png", "solution.json", "report.html"};
   if (!options.noElements) names.insert("elements.csv");
   if (writesFacets(options)) names.insert("scene.vtu");
-  if (!options.noTextures) {
-    names.insert({"scene.obj", "scene.mtl", "scene.glb"});
+  if (!options.noTextures) names.insert({"scene.obj", "scene.mtl", "scene.glb"});
+  if (options.lightmap) names.insert("lightmap.glb");
+  if (hasTextures(options))
     for (const std::string& texture : radiosity::layOutTextures(scene, discretization, magnificationOf(options)).names)
       for (const std::string folder : {"", "lightmaps/"})
-        if (folder.empty() || options.lightmap) names.insert({folder + texture + ".png", folder + texture + ".exr"});
-    if (options.lightmap) names.insert("lightmap.glb");
-  }
+        if (folder.empty() ? !options.noTextures : options.lightmap)
+          names.insert({folder + texture + ".png", folder + texture + ".exr"});
   const std::set<std::string> ofFrame = names;
   for (std::size_t f = 1; f <= frames; ++f)
     for (const std::string& name : ofFrame) names.insert("frame-" + std::to_string(f) + "/" + name);
@@ -100,11 +104,9 @@ double exposureOf(const SolvedScene& solved) {
 
 std::optional<radiosity::LitScene> litScene(const SolvedScene& solved) {
   if (solved.options.noTextures) return std::nullopt;
-  return radiosity::makeLitScene(
-      solved.scene, solved.discretization,
-      radiosity::layOutTextures(solved.scene, solved.discretization, magnificationOf(solved.options)),
-      radiosity::displayValues(solved.scene, solved.discretization, solved.solution), exposureOf(solved),
-      filterOf(solved.options));
+  return radiosity::makeLitScene(solved.scene, solved.discretization, texturesOf(solved),
+                                 radiosity::displayValues(solved.scene, solved.discretization, solved.solution),
+                                 exposureOf(solved), filterOf(solved.options));
 }
 
 std::vector<std::string> writeSolved(const std::filesystem::path& folder, const SolvedScene& solved,
@@ -117,8 +119,8 @@ std::vector<std::string> writeSolved(const std::filesystem::path& folder, const 
   if (lit) warnings = radiosity::writeLitScene(folder, *lit, view, solved.discretization, solved.solution.radiosity);
   if (lit && !solved.scene.wavelengths.empty())  // in place of the textures of the colour alone
     radiosity::writeBandTextures(folder, solved.discretization, lit->layout, solved.solution, solved.scene.wavelengths);
-  if (lit && options.lightmap)
-    for (std::string& warning : writeLightMaps(folder, solved, lit->layout, view))
+  if (options.lightmap)
+    for (std::string& warning : writeLightMaps(folder, solved, lit ? lit->layout : texturesOf(solved), view))
       warnings.push_back(std::move(warning));
   radiosity::writePng(folder / "render.png", pictureOf(solved, lit));
   raster::writeFile(folder / "scene.view.json", toText(toJson(solved.camera)));

@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <memory>
+#include <string>
 #include <utility>
 
 #include "radiosity/discretization/discretize.h"
+#include "radiosity/discretization/grid_size.h"
+#include "radiosity/images/image_module.h"
 #include "radiosity/pictures/visibility.h"
-#include "reference/matrices/matrix_rows.h"
+#include "raster/base/memory_budget.h"
 
 namespace hemitex::cli {
 namespace {
@@ -26,10 +29,14 @@ radiosity::LightSettings lightSettings(const SolveOptions& options, const radios
                                     .adaptive = options.adaptive,
                                     .elements = options.discretization,
                                     .isContinued = options.isContinued};
-  if (boundsRows(options))
-    settings.solver.residual = radiosity::residualFor(*options.maxError);
-  else
+  if (boundsLight(options)) {
     settings.maxError = options.maxError;
+    settings.coarsest = options.coarsest;
+    settings.residual = options.residual;
+  } else if (options.maxError) {
+    const double bound = radiosity::residualFor(*options.maxError);
+    settings.solver.residual = std::min(bound, options.residual.value_or(bound));
+  }
   if (followsCamera(options)) settings.seen = seenIn(options.camera, scene, camera);
   return settings;
 }
@@ -42,7 +49,24 @@ radiosity::OtherRows rowsOf(const SolveOptions& options, const reference::RowErr
   return {};
 }
 
+constexpr std::uint64_t ofProgram = 300'000'000, perSurface = 4300;
+
+/// The rows that the cache may hold: about a patch has 16 elements and a row has 16 bytes per element.
+std::uint64_t rowBytes(std::uint64_t elements, std::uint64_t budget) {
+  return elements < 1 << 24 ? std::min(budget, elements * elements) : budget;
+}
+
 }  // namespace
+
+void requireMemoryOfRun(const radiosity::Scene& scene, const SolveOptions& options) {
+  const std::uint64_t elements = radiosity::totalTexels(radiosity::gridSizesOf(scene, options.discretization));
+  raster::requireMemory(ofProgram + elements * radiosity::bytesPerElement + scene.surfaces.size() * perSurface +
+                            radiosity::triangleCount(scene) * radiosity::bytesPerTriangle +
+                            rowBytes(elements, options.solver.rowCacheBytes),
+                        options.scene.file.string(), "the run with " + std::to_string(elements) + " elements",
+                        "use larger texels or a smaller --row-cache");
+  radiosity::requireSpaceForImages();
+}
 
 radiosity::LightHooks hooksOf(const SolveOptions& options, const reference::RowErrors& errors) {
   return {.layOut = [ids = options.id](

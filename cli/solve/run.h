@@ -22,6 +22,11 @@ struct SolveResult {
   std::vector<double> rowErrors = {};
 };
 
+/// Throws InputError, with the number, if the pictures of the result could not be written, or if the program, the
+/// scene, its elements and the rows that the cache may hold do not fit into the free memory (see
+/// raster/base/memory_budget.h). docs/performance.md states how the bytes of each were measured.
+void requireMemoryOfRun(const radiosity::Scene& scene, const SolveOptions& options);
+
 /// Layouts as `layoutOf`, and the rows of the method of the options. With bounded errors these are set. Throws
 /// InputError as matrixRows.
 radiosity::LightHooks hooksOf(const SolveOptions& options, const reference::RowErrors& errors);

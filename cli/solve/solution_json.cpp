@@ -120,7 +120,8 @@ ordered_json energyJson(const SolvedScene& solved, bool isLitFromOutside, double
 
 std::string shotsText(const ordered_json& solution, double seconds) {
   return std::to_string(solution["shots"].get<int>()) + " shots in " + roundedText(seconds) + " s, " +
-         percentText(solution["residual"]) + " of the emitted flux unshot\n";
+         percentText(solution["residual"]) + " of the emitted flux unshot" +
+         (solution.value("ended_by", "") == "shots" ? ", where --shots ended it\n" : "\n");
 }
 
 /// Empty without --max-error.
@@ -197,6 +198,15 @@ std::string candelaText(const ordered_json& settings) {
          " lm/W; --lumens-per-watt 1 takes their numbers as W/sr and W/m^2\n";
 }
 
+/// What was given beside --max-error and limits what it chooses.
+ordered_json besideBound(const SolveOptions& options) {
+  ordered_json text = ordered_json::object();
+  if (options.residual) text["max_residual"] = *options.residual;
+  if (options.coarsest.resolution > 0) text["min_resolution"] = options.coarsest.resolution;
+  if (options.coarsest.split < 1) text["max_split"] = options.coarsest.split;
+  return text;
+}
+
 }  // namespace
 
 ordered_json solutionSettings(const SolveOptions& options) {
@@ -212,6 +222,7 @@ ordered_json solutionSettings(const SolveOptions& options) {
   settings.update({{"max_error", orNull(options.maxError)},
                    {"residual", options.solver.residual},
                    {"shots", orNull(options.solver.shots)}});
+  if (options.maxError) settings.update(besideBound(options));
   if (!options.bands.empty()) settings["bands"] = reference::sha256OfFile(options.bands);
   if (!options.matrix.empty()) settings["matrix"] = reference::sha256OfFile(options.matrix);
   return settings;
@@ -220,7 +231,7 @@ ordered_json solutionSettings(const SolveOptions& options) {
 ordered_json description(const SolvedScene& solved, const std::optional<radiosity::LitScene>& lit) {
   const SolveOptions& options = solved.options;
   ordered_json settings = solutionSettings(options);
-  settings.update({{"filter", options.noTextures ? ordered_json() : ordered_json(nameOf(filterOf(options)))},
+  settings.update({{"filter", hasTextures(options) ? ordered_json(nameOf(filterOf(options))) : ordered_json()},
                    {"magnify", orNull(options.magnification)},
                    {"camera", toJson(solved.camera)},
                    {"size", {options.camera.width, options.camera.height}},
@@ -246,6 +257,7 @@ ordered_json description(const SolvedScene& solved, const std::optional<radiosit
       {"index_bits", solved.layout.indexBits},
       {"shots", solved.solution.shots},
       {"residual", solved.solution.residual},
+      {"ended_by", endOf(solved.solution, options.solver)},
       {"energy", energyJson(solved, isLitFromOutside, squareMetres)}};
   if (!solved.scene.wavelengths.empty()) text["bands"] = listed(solved.scene, solved.scene.wavelengths);
   return text;

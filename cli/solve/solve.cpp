@@ -17,7 +17,6 @@
 #include "cli/solve/options.h"
 #include "cli/solve/output.h"
 #include "cli/solve/run.h"
-#include "cli/solve/run_size.h"
 #include "radiosity/discretization/exposure.h"
 #include "radiosity/solver/dynamic_solution.h"
 #include "radiosity/textures/lit_scene.h"
@@ -85,6 +84,7 @@ ordered_json writeFrame(const std::filesystem::path& folder, std::size_t number,
           {"edits", frame.written},
           {"shots", solved.solution.shots},
           {"residual", solved.solution.residual},
+          {"ended_by", text["ended_by"]},
           {"rows", toJson(cost)},
           {"times", laps.times()}};
 }
@@ -92,6 +92,11 @@ ordered_json writeFrame(const std::filesystem::path& folder, std::size_t number,
 /// Prints the warnings of a solution.
 void warnOf(const SolveResult& result, Console& console) {
   console.warnings(warningsOf(result.light.solution));
+  const radiosity::LightSettings& settings = result.light.settings;
+  const std::optional<radiosity::LightErrors>& errors = result.light.expectedErrors;
+  const bool isWithin = errors && settings.maxError && errors->larger() <= *settings.maxError;
+  if (settings.maxError && !isWithin && !result.light.solution.isInterrupted)
+    console.warning("--shots ended the solution before its error was known to be within --max-error");
   if (result.light.captured < 1)
     console.warning("the single plane captures " + percentText(result.light.captured) +
                     " of the flux of a patch; the rest is lost, so that the scene is too dark");

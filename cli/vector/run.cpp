@@ -2,30 +2,44 @@
 #include <algorithm>
 #include <csignal>
 #include <cstdlib>
+#include <filesystem>
 #include <memory>
+#include <optional>
 #include <set>
+#include <string>
 #include <thread>
+#include <vector>
 
 #include "cli/common/commands.h"
 #include "cli/common/interruption.h"
 #include "cli/common/staging.h"
-#include "cli/vector/device_program.h"
 #include "cli/vector/judging.h"
 #include "raster/base/input_error.h"
+#include "raster/base/pool.h"
 #include "raster/base/thread_group.h"
 #include "reference/conformance/vectors/vector_file.h"
+#include "reference/conformance/verdict/device_process.h"
 #include "reference/conformance/verdict/reduction.h"
 
 namespace hemitex::cli {
 namespace {
 
 namespace fs = std::filesystem;
+using reference::ChildProcess;
 using reference::DeviceFailure;
+using reference::DeviceFault;
 
 constexpr double maxSeconds = 1e6;
 constexpr int maxJobs = 4096, maxRepetitions = 1000000;
 /// Enough for thousands of triangles; a vector that needs tens of thousands stays larger than it must.
 constexpr std::size_t maxReductionRuns = 5000;
+
+/// The program of a device, which draws test vectors.
+struct DeviceSettings {
+  std::vector<std::string> command;  ///< with {vector} and {output} for a program that draws one vector
+  double timeLimit = 10;             ///< seconds per vector
+  bool stays = false;                ///< the program draws many vectors, one per line on its stdin (docs/backend.md)
+};
 
 struct RunOptions {
   JudgingOptions judging;
@@ -52,6 +66,80 @@ class ScratchFolder {
 
  private:
   std::string name_ = (fs::temp_directory_path() / "hemitex-XXXXXX").string();
+};
+
+bool isAnswer(const std::string& line) { return line == "done" || line.starts_with("failed"); }
+
+/// The line that asks a program that stays for a vector.
+std::string requestFor(const fs::path& folder, const fs::path& output) {
+  for (const fs::path& path : {folder, output})
+    if (path.string().find_first_of("\t\n") != std::string::npos)
+      throw raster::InputError(path.string(), 0, "has a tab or a line end in its name",
+                               "choose another folder, because a line names it to the program");
+  return folder.string() + '\t' + output.string();
+}
+
+/// What is wrong with the item ID files of a program that ended well.
+std::optional<DeviceFailure> checkFiles(const reference::TestVector& vector, const fs::path& folder,
+                                        const reference::ProcessResult& process) {
+  const bool arePairs = reference::sourceOf(vector).value == raster::PixelValue::Pairs;
+  for (const reference::VectorFace& face : vector.faces) {
+    const fs::path file = folder / face.ids;
+    if (!fs::is_regular_file(fs::symlink_status(file)))
+      return DeviceFailure{DeviceFault::MissingFile, face.ids + " is missing", process};
+    const auto width = static_cast<std::size_t>(face.face.scissor.width),
+               height = static_cast<std::size_t>(face.face.scissor.height);
+    const std::size_t bytes = width * height * (arePairs ? sizeof(std::uint64_t) : sizeof(raster::ItemId));
+    if (fs::file_size(file) != bytes)
+      return DeviceFailure{
+          DeviceFault::WrongSize,
+          face.ids + " holds " + std::to_string(fs::file_size(file)) + " bytes instead of " + std::to_string(bytes),
+          process};
+  }
+  return {};
+}
+
+class DeviceProgram {
+ public:
+  explicit DeviceProgram(DeviceSettings settings) : settings_(std::move(settings)) {}
+
+  /// Lets the program draw the vector in `folder`. It writes its item ID files into `output`, an empty folder that this
+  /// function makes. Returns why there are none. A LongRun that stops ends the program. Several threads may call it at
+  /// a time; a program that stays then runs as many times. Throws InputError if the program cannot be started.
+  std::optional<DeviceFailure> draw(const reference::TestVector& vector, const fs::path& folder,
+                                    const fs::path& output) {
+    fs::create_directories(output);
+    if (settings_.stays) {
+      std::optional<DeviceFailure> failure;
+      processes_.with([&](Process& process) { failure = ask(process, vector, folder, output); });
+      return failure;
+    }
+    const auto words = reference::fillCommand(settings_.command, folder.string(), output.string());
+    const reference::ProcessResult process = reference::runProcess(words, settings_.timeLimit, &LongRun::isStopping());
+    if (process.hasSucceeded()) return checkFiles(vector, output, process);
+    return failureOf(process);
+  }
+
+ private:
+  using Process = std::unique_ptr<reference::ChildProcess>;
+
+  std::optional<DeviceFailure> ask(Process& process, const reference::TestVector& vector, const fs::path& folder,
+                                   const fs::path& output) const {
+    const std::string request = requestFor(folder, output);
+    if (!process) process = std::make_unique<ChildProcess>(settings_.command, ChildProcess::Talk::Lines);
+    const auto answer = process->ask(request, isAnswer, settings_.timeLimit, &LongRun::isStopping());
+    if (!answer) {
+      const reference::ProcessResult end = process->finish(0);
+      process.reset();
+      return failureOf(end);
+    }
+    const reference::ProcessResult running{.lastLines = process->lastLines()};
+    if (*answer != "done") return DeviceFailure{DeviceFault::Refused, *answer, running};
+    return checkFiles(vector, output, running);
+  }
+
+  DeviceSettings settings_;
+  raster::Pool<Process> processes_;  ///< that stay; null before the start and after a failure
 };
 
 /// What a device did with a vector.

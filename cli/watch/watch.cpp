@@ -27,7 +27,6 @@
 #include "cli/solve/options.h"
 #include "cli/solve/output.h"
 #include "cli/solve/run.h"
-#include "cli/solve/run_size.h"
 #include "cli/view/browser.h"
 #include "radiosity/scene/load_scene.h"
 #include "radiosity/scene/scene_edits.h"

@@ -51,19 +51,28 @@ std::vector<bool> seenBy(const radiosity::Scene& scene, const py::object& camera
   return unlocked([&] { return radiosity::seenSurfaces(scene, seenFrom, 256, 192); });
 }
 
-/// Chooses what bounds the error: that of rows between facets, or the effort of the whole solution.
-void setBound(Method& method, double bound, const Elements& elements, const py::object& camera) {
+/// Chooses what bounds the error: that of rows between facets without texels, or the effort of the whole solution.
+void setBound(Method& method, double bound, const Settings& settings, const Elements& elements,
+              const py::object& camera) {
   if (method.rows) throw InputError("`max_error` chooses settings of hemicubes", "omit `method`");
-  if (!elements.facets) {
-    method.light.maxError = bound;
-    method.light.seen = seenBy(*elements.scene, camera);
+  radiosity::LightSettings& light = method.light;
+  const std::optional<double> residual = settings.number("residual", 1e-14, 1e300);
+  const bool isResolutionGiven = settings.value("resolution").has_value();
+  const bool isSplitGiven = settings.value("split").has_value();
+  const bool areElements =
+      std::ranges::all_of(elements.discretization.grids, [](const auto& grid) { return grid.elementCount == 1; });
+  if (!elements.facets || !areElements) {
+    light.maxError = bound;
+    light.seen = seenBy(*elements.scene, camera);
+    light.residual = residual;
+    if (isResolutionGiven) light.coarsest.resolution = light.drawing.resolution;
+    if (isSplitGiven) light.coarsest.split = light.drawing.split;
     return;
   }
-  for (const radiosity::Grid& grid : elements.discretization.grids)
-    if (grid.elementCount != 1)
-      throw InputError("`max_error` bounds rows between whole facets", "discretize them without texels");
+  if (isResolutionGiven || isSplitGiven)
+    throw InputError("`max_error` chooses settings of rows between facets", "omit `resolution` and `split`");
   method.rows = reference::boundedRows(bound, method.errors);
-  method.light.solver.residual = radiosity::residualFor(bound);
+  light.solver.residual = std::min(radiosity::residualFor(bound), residual.value_or(1));
 }
 
 Method methodOf(const Settings& settings, const Elements& elements, const py::object& camera,
@@ -76,7 +85,7 @@ Method methodOf(const Settings& settings, const Elements& elements, const py::ob
   radiosity::SolverSettings& solver = method.light.solver;
   solver.shots = settings.integer("shots", 0, std::numeric_limits<int>::max());
   solver.residual = settings.number("residual", 1e-14, 1e300).value_or(radiosity::defaultResidual(*elements.scene));
-  if (const auto bound = settings.number("max_error", 1e-6, 1)) setBound(method, *bound, elements, camera);
+  if (const auto bound = settings.number("max_error", 1e-6, 1)) setBound(method, *bound, settings, elements, camera);
   method.light.elements = elements.settings;
   return method;
 }
@@ -128,7 +137,7 @@ std::shared_ptr<Solved> solve(const SharedElements& elements, const py::dict& gi
       return radiosity::SolutionStart{.progress = progressOf(told, used)};
     };
     radiosity::Light light = radiosity::light(scene, elements->discretization, method.light, hooks);
-    if (method.light.maxError && !light.expectedErrors)
+    if (method.light.maxError && !light.expectedErrors && light.solution.isInterrupted)
       throw InputError("the progress callback ended the choice of settings");
     method.light = light.settings;
     solved->expectedErrors = light.expectedErrors;
@@ -187,6 +196,7 @@ py::dict aboutSolution(const Solved& solved) {
     return py::tuple(py::cast(flux));
   };
   py::dict about("shots"_a = solved.solution->shots, "residual"_a = solved.solution->residual,
+                 "ended_by"_a = endOf(*solved.solution, solved.method.light.solver),
                  "interrupted"_a = solved.solution->isInterrupted, "warnings"_a = textsOf(solved.solution->warnings),
                  "ambient"_a = toTuple(solved.solution->ambient),
                  "patches"_a = solved.elements->discretization.patches.list.size(),
@@ -212,7 +222,7 @@ py::dict sensitivityOf(const Solved& solved, const py::object& weights, py::obje
     };
     radiosity::Sensitivity sensitivity;
     radiosity::LightHooks hooks = hooksOf(solved.method);
-    hooks.solve = [&](const radiosity::SolveInput& input, const radiosity::Progress&) {
+    hooks.solve = [&](const radiosity::SolveInput& input) {
       sensitivity = radiosity::sensitivity(input, ofElements, tell);
       return radiosity::Solution();
     };

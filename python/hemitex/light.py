@@ -48,6 +48,8 @@ class Solution:
         self.shots: int = about["shots"]
         self.patches: int = about["patches"]
         """The number of patches, as split."""
+        self.ended_by: str = about["ended_by"]
+        """The limit that ended it: "residual", "shots", or "progress" for the callback."""
         self.is_interrupted: bool = about["interrupted"]
         """Whether the progress callback ended it before a limit was reached."""
         self.energy: dict[str, tuple[float, ...]] = about["energy"]
@@ -84,9 +86,9 @@ def solve(what: Scene | Elements,
           max_error: float | None = None,
           seen_by: Camera | None = None,
           method: Literal["hemicube", "single-plane", "tetrahedron", "rays"] = "hemicube",
-          resolution: int = 256,
+          resolution: int | None = None,
           orientation: Literal["turned", "aligned"] = "turned",
-          split: float = 0.003,
+          split: float | None = None,
           elements_by: Literal["texture", "mesh"] = "texture",
           format: str = "r8g8b8a8",
           samples: int | None = None,
@@ -96,18 +98,19 @@ def solve(what: Scene | Elements,
           progress: Told | None = None) -> Solution:
     """Solves by progressive radiosity, with the bits of `hemitex solve`.
 
-    residual: stops when so much of the emitted flux is unshot (default 0.001; 0.00001 with light from outside).
+    residual: stops when so much of the emitted flux is unshot (default 0.001; 0.00001 with light from outside; with
+    max_error a tenth of that, if it is less). shots: stops after so many, or at the residual.
+    resolution, split: of hemicubes (default 256 and 0.003); with max_error its effort begins there.
     max_error: solves with growing effort until the expected error is at most this share, of all flux and of what
-    `seen_by` sees; of facets, bounds the error of every row of form factors. format: channels of item IDs.
+    `seen_by` sees; of facets without texels, bounds the error of every row of form factors. format: channels of item
+    IDs.
     editable: `edit` takes the solution.
     progress: a function of the share that is done; if it returns False, the solution ends with what it has.
     """
     elements = _elements(what, editable)
     settings = _settings(residual=residual, shots=shots, max_error=max_error, method=method, format=format,
                          samples=samples, seed=seed, editable=editable, elements_by=elements_by,
-                         orientation=orientation)
-    if max_error is None:
-        settings.update(resolution=resolution, split=split)
+                         orientation=orientation, resolution=resolution, split=split)
     seen_from = None if max_error is None else vars(seen_by or camera(elements.scene))
     return Solution(_core.solve(_core_of(elements, Elements), settings, seen_from, _factory(rasterizer), progress))
 

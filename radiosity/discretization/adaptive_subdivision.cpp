@@ -4,10 +4,9 @@
 #include <bit>
 #include <cassert>
 #include <optional>
-#include <string>
 
 #include "radiosity/discretization/discretize.h"
-#include "raster/base/input_error.h"
+#include "radiosity/discretization/grid_size.h"
 
 namespace hemitex::radiosity {
 namespace {
@@ -48,13 +47,16 @@ Quadtree refinedTree(const Discretization& discretization, const Grid& grid, std
 }
 
 /// The quadtree of a surface before the first round.
-Quadtree coarseTree(const Surface& surface, const Grid& grid) {
-  const int texels = grid.columns;
-  if (grid.rows != texels || !std::has_single_bit(static_cast<unsigned>(texels)))
-    throw raster::InputError("surface '" + surface.name + "' has " + std::to_string(grid.columns) + " x " +
-                                 std::to_string(grid.rows) + " texels, over which there is no quadtree",
-                             "use as many columns as rows, a power of two");
-  return uniformQuadtree(texels, std::max(1, texels / coarsestElements));
+Quadtree coarseTree(int texels) { return uniformQuadtree(texels, std::max(1, texels / coarsestElements)); }
+
+/// The settings with 2^n x 2^n texels for each surface, at least as many as the given ones.
+DiscretizationSettings withQuadtrees(const Scene& scene, DiscretizationSettings settings) {
+  const std::vector<GridSize> sizes = gridSizesOf(scene, settings);
+  for (std::size_t s = 0; s < sizes.size(); ++s) {
+    const int longer = std::max(sizes[s].columns, sizes[s].rows);
+    settings.surfaceTexels[scene.surfaces[s].name] = static_cast<int>(std::bit_ceil(static_cast<unsigned>(longer)));
+  }
+  return settings;
 }
 
 }  // namespace
@@ -70,12 +72,11 @@ std::vector<Quadtree> refined(const Discretization& discretization, std::span<co
   return trees;
 }
 
-Discretization adaptiveDiscretization(const Scene& scene, const DiscretizationSettings& settings, double tolerance,
+Discretization adaptiveDiscretization(const Scene& scene, const DiscretizationSettings& given, double tolerance,
                                       const SolveElements& solveElements) {
+  const DiscretizationSettings settings = withQuadtrees(scene, given);
   std::vector<Quadtree> trees;
-  const Discretization finest = discretize(scene, settings);
-  for (std::size_t s = 0; s < scene.surfaces.size(); ++s)
-    trees.push_back(coarseTree(scene.surfaces[s], finest.grids[s]));
+  for (const Surface& surface : scene.surfaces) trees.push_back(coarseTree(gridSizeOf(surface, settings).columns));
   for (;;) {
     Discretization discretization = discretize(scene, settings, trees);
     std::vector<Quadtree> finer = refined(discretization, solveElements(discretization), tolerance);

@@ -30,7 +30,8 @@ std::vector<Quadtree> refined(const Discretization& discretization, std::span<co
                               double tolerance);
 
 /// Solves and refines from quadtrees of `coarsestElements` along a side until no element is split, at the latest at the
-/// texels of the settings. Throws InputError if a grid has not 2^n x 2^n texels, and as discretize.
+/// texels of the settings. Grids have 2^n x 2^n texels: the sides of those of the settings grow to the smallest power
+/// of two. Throws InputError as discretize.
 Discretization adaptiveDiscretization(const Scene& scene, const DiscretizationSettings& settings, double tolerance,
                                       const SolveElements& solveElements);
 

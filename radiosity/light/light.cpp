@@ -1,5 +1,6 @@
 #include "radiosity/light/light.h"
 
+#include <algorithm>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -19,6 +20,7 @@ struct Stopped {};
 void tellOtherRanks(Messenger& ranks, const Solution& solution) {
   std::string bytes;
   appendBytes(bytes, solution.isInterrupted);
+  appendBytes(bytes, solution.shots);
   appendBytes(bytes, solution.radiosity);
   for (int rank = 1; rank < ranks.ranks(); ++rank) ranks.send(rank, MessageKind::Solution, bytes);
 }
@@ -29,6 +31,7 @@ Solution solutionOfRankZero(Messenger& ranks) {
   std::string_view bytes = message.bytes;
   Solution solution;
   solution.isInterrupted = takeValue<bool>(bytes);
+  solution.shots = takeValue<int>(bytes);
   solution.radiosity = takeValue<std::vector<glm::dvec3>>(bytes);
   return solution;
 }
@@ -84,21 +87,21 @@ class Solutions {
     if (sharesRows()) {
       ahead.emplace(*hooks_.ranks, drawn, settings.solver.rowCacheBytes);
       rows.rowOf = [&](const Patch& patch) { return ahead->row(patch); };
-      rows.prepare = [&](const Step& step) { ahead->lookAhead(step); };
+      rows.prepare = [&](const NextShots& next) { ahead->lookAhead(next); };
     }
-    const Progress progress = preparing(rows, start.progress);
     SolveInput input{.scene = scene_,
                      .discretization = result_.discretization,
                      .patches = std::move(result_.discretization.patches),
                      .rowOf = rows.rowOf,
                      .split = rows.split,
+                     .prepare = rows.prepare,
                      .settings = settings.solver,
                      .outside = drawn.outsideFlux(),
                      .seen = seenLight(drawn),
                      .snapshot = start.snapshot ? &*start.snapshot : nullptr,
                      .isContinued = settings.isContinued};
     result_.solution =
-        hooks_.solve ? hooks_.solve(std::move(input), progress) : radiosity::solve(std::move(input), progress);
+        hooks_.solve ? hooks_.solve(std::move(input)) : radiosity::solve(std::move(input), start.progress);
     if (ahead) {
       endTasks(*hooks_.ranks);
       result_.rowsAhead = ahead->counts();
@@ -120,6 +123,7 @@ class Solutions {
 void solveBounded(Light& result, Solutions& solutions) {
   LightSettings& settings = result.settings;
   settings.solver.residual = residualFor(*settings.maxError);
+  if (settings.residual) settings.solver.residual = std::min(settings.solver.residual, *settings.residual);
   const Patches unsplit = result.discretization.patches;
   const auto solveWith = [&](const Effort& effort) {
     settings.drawing.resolution = effort.resolution;
@@ -127,8 +131,10 @@ void solveBounded(Light& result, Solutions& solutions) {
     result.discretization.patches = unsplit;
     return solutions.radiosity();
   };
+  const auto isLast = [&] { return endOf(result.solution, settings.solver) == "shots"; };
   result.expectedErrors =
-      chooseEffort(result.discretization, settings.seen, solveWith, *settings.maxError).expectedErrors;
+      chooseEffort(result.discretization, settings.seen, solveWith, *settings.maxError, {settings.coarsest, isLast})
+          .expectedErrors;
 }
 
 /// Elements that become smaller where radiosity changes fast.
@@ -146,6 +152,7 @@ Discretization adaptiveElements(const Scene& scene, Light& result, Solutions& so
 Light light(const Scene& scene, Discretization discretization, const LightSettings& settings, const LightHooks& hooks) {
   if (settings.maxError && (hooks.rows || settings.drawing.projection != ProjectionKind::Hemicube))
     throw raster::InputError("the error of a solution is bounded with hemicubes alone", "omit the method or the bound");
+  if (settings.maxError) requireEfforts(settings.coarsest);
   Light result{settings, std::move(discretization)};
   Solutions solutions(scene, hooks, result);
   try {

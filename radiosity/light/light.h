@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "radiosity/discretization/discretization.h"
+#include "radiosity/form_factors/rows_ahead.h"
 #include "radiosity/form_factors/scene_form_factors.h"
 #include "radiosity/index_maps/id_layout.h"
 #include "radiosity/ranks/messenger.h"
-#include "radiosity/ranks/rows_ahead.h"
 #include "radiosity/scene/scene.h"
 #include "radiosity/solver/dynamic_solution.h"
 #include "radiosity/solver/error_control.h"
@@ -21,8 +21,11 @@ struct LightSettings {
   DrawingSettings drawing = {};
   SolverSettings solver = {};
   /// Above 0. Solves with growing effort until both expected errors are within it (error_control.h): chooses the
-  /// resolution and the splits of `drawing`, and the residual of `solver`.
+  /// resolution and the splits of `drawing`, and the residual of `solver`. A solution that the shots of `solver` end is
+  /// the last one.
   std::optional<double> maxError = {};
+  Effort coarsest = EffortLimits().coarsest;  ///< with maxError: where the effort begins
+  std::optional<double> residual = {};        ///< with maxError: the residual is at most this
   std::vector<bool> seen = {};  ///< whether surfaces are seen, whose light decides with all light; see SeenLight
   /// Above 0. Splits elements where radiosity changes by more than this share (adaptive_subdivision.h).
   std::optional<double> adaptive = {};
@@ -44,7 +47,7 @@ struct LightHooks {
   std::function<SolutionStart(const SolverSettings& settings)> start = {};
   OtherRows rows = {};
   /// Finds a solution in another way than `solve`.
-  std::function<Solution(SolveInput input, const Progress& progress)> solve = {};
+  std::function<Solution(SolveInput input)> solve = {};
   Messenger* ranks = nullptr;  ///< the ranks that share drawn rows; null if this process is alone
 };
 
@@ -54,14 +57,14 @@ struct Light {
   IdLayout layout = {};
   Solution solution = {};                          ///< without its patches
   double captured = 1;                             ///< see PatchRows
-  std::optional<LightErrors> expectedErrors = {};  ///< with maxError, unless the progress ended the choice
+  std::optional<LightErrors> expectedErrors = {};  ///< with maxError, if two solutions were compared
   std::optional<RowCounts> rowsAhead = {};         ///< of the last solution, with ranks
 };
 
 /// Solves a scene with elements, which adaptive ones replace; with both, the error on adaptive elements is bounded. If
 /// the progress ends a solution, the result is that of its last shot. With several ranks all call this; ranks other
 /// than 0 compute rows, and their result has no light. Throws InputError as `solve`, as chooseEffort and as
-/// adaptiveDiscretization, and for maxError without hemicubes.
+/// discretize, and for maxError without hemicubes.
 Light light(const Scene& scene, Discretization discretization, const LightSettings& settings = {},
             const LightHooks& hooks = {});
 

@@ -1,7 +1,8 @@
-#include "radiosity/meshes/legacy_vtk_file.h"
-
+/// Reads VTK's legacy files (`.vtk`) with poly data or an unstructured grid; text and binary, versions 1 to 5.
+/// Source: VTK File Formats (Kitware), section Simple Legacy Formats.
 #include <algorithm>
 
+#include "radiosity/meshes/mesh_formats.h"
 #include "radiosity/meshes/number_source.h"
 #include "radiosity/meshes/vtk_cells.h"
 #include "raster/base/input_error.h"

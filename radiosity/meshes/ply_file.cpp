@@ -1,10 +1,11 @@
-#include "radiosity/meshes/ply_file.h"
-
+/// Reads PLY: the positions of vertices and the faces. Text, and binary of both byte orders.
+/// Source: G. Turk, The PLY polygon file format, 1994.
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
 #include "radiosity/images/image.h"
+#include "radiosity/meshes/mesh_formats.h"
 #include "radiosity/meshes/number_source.h"
 #include "raster/base/input_error.h"
 

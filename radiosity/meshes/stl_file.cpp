@@ -1,11 +1,12 @@
-#include "radiosity/meshes/stl_file.h"
-
+/// Reads STL, text and binary. All vertices are of their triangles alone.
+/// Source: M. Burns, Automated Fabrication, 1993, section 6.5.
 #include <algorithm>
 #include <array>
 #include <cctype>
 #include <limits>
 #include <utility>
 
+#include "radiosity/meshes/mesh_formats.h"
 #include "radiosity/meshes/number_source.h"
 
 namespace hemitex::radiosity {

@@ -1,10 +1,11 @@
-#include "radiosity/meshes/vs3_file.h"
-
+/// Reads the geometry of View3D (`.vs3`) in the format `3`: vertices and surfaces with 3 or 4 of them.
+/// Source: View3D 3.3 (NIST), doc/view3d-manual.tex and src/getdat.c.
 #include <algorithm>
 #include <array>
 #include <cctype>
 #include <map>
 
+#include "radiosity/meshes/mesh_formats.h"
 #include "raster/base/input_error.h"
 
 namespace hemitex::radiosity {

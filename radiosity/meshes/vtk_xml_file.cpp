@@ -1,9 +1,9 @@
-#include "radiosity/meshes/vtk_xml_file.h"
-
+/// Reads VTK's XML files with an unstructured grid (`.vtu`) or poly data (`.vtp`).
 #include <algorithm>
 #include <cstring>
 #include <limits>
 
+#include "radiosity/meshes/mesh_formats.h"
 #include "radiosity/meshes/vtk_arrays.h"
 #include "radiosity/meshes/vtk_cells.h"
 #include "raster/base/input_error.h"

@@ -6,7 +6,7 @@
 
 #include "radiosity/discretization/edited_discretization.h"
 #include "radiosity/discretization/grid_size.h"
-#include "radiosity/solver/row_update.h"
+#include "radiosity/form_factors/row_update.h"
 
 namespace hemitex::radiosity {
 namespace {
@@ -429,10 +429,11 @@ UpdateCost DynamicSolution::updateTo(EditedScene edit, const Progress& progress,
                       .patches = std::move(world_->discretization.patches),
                       .rowOf = rows.rowOf,
                       .split = rows.split,
+                      .prepare = rows.prepare,
                       .settings = settings_.solver,
                       .snapshot = snapshot,
                       .isContinued = true},
-                     {std::move(shot), {std::move(rows_.ofPatches), RowCache(0)}}, preparing(rows, progress));
+                     {std::move(shot), {std::move(rows_.ofPatches), RowCache(0)}}, progress);
   rows_.ofPatches = std::move(solution_.continuation->rows.ofPatches);
   world_->discretization.patches = std::move(solution_.patches);
   return cost;

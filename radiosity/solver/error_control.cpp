@@ -1,9 +1,11 @@
 #include "radiosity/solver/error_control.h"
 
+#include <algorithm>
 #include <array>
 #include <cassert>
 #include <cmath>
 #include <cstddef>
+#include <string>
 #include <utility>
 
 #include "radiosity/scene/scene.h"
@@ -44,7 +46,23 @@ LightErrors expectedErrors(const LightErrors& difference) {
   return {difference.all * factor, difference.seen * factor};
 }
 
+/// The first step of the ladder that is as fine as `coarsest`.
+std::size_t firstStep(const Effort& coarsest) {
+  const auto isFine = [&](const Effort& effort) {
+    return effort.resolution >= coarsest.resolution && effort.split <= coarsest.split;
+  };
+  return static_cast<std::size_t>(std::find_if(ladder.begin(), ladder.end(), isFine) - ladder.begin());
+}
+
 }  // namespace
+
+void requireEfforts(const Effort& coarsest) {
+  if (firstStep(coarsest) + 2 <= ladder.size()) return;
+  const Effort& last = ladder[ladder.size() - 2];
+  throw raster::InputError("no finer effort is left to estimate the error with",
+                           "with a bound on the error, use a resolution of at most " + std::to_string(last.resolution) +
+                               " and a split of at least " + raster::shortNumber(last.split));
+}
 
 LightErrors lightErrors(const Discretization& discretization, const std::vector<bool>& seen,
                         std::span<const glm::dvec3> found, std::span<const glm::dvec3> truth) {
@@ -64,18 +82,20 @@ LightErrors lightErrors(const Discretization& discretization, const std::vector<
 double residualFor(double bound) { return bound / 10; }
 
 ErrorBoundChoice chooseEffort(const Discretization& discretization, const std::vector<bool>& seen,
-                              const SolveWith& solveWith, double bound) {
-  std::vector<glm::dvec3> coarser = solveWith(ladder.front());
-  LightErrors expected;
-  for (std::size_t step = 1; step < ladder.size(); ++step) {
+                              const SolveWith& solveWith, double bound, const EffortLimits& limits) {
+  requireEfforts(limits.coarsest);
+  std::vector<glm::dvec3> coarser;
+  std::optional<LightErrors> expected;
+  for (std::size_t step = firstStep(limits.coarsest); step < ladder.size(); ++step) {
     std::vector<glm::dvec3> finer = solveWith(ladder[step]);
-    expected = expectedErrors(lightErrors(discretization, seen, coarser, finer));
-    if (expected.larger() <= bound) return {ladder[step], expected};
+    if (!coarser.empty()) expected = expectedErrors(lightErrors(discretization, seen, coarser, finer));
+    const bool isKept = expected && expected->larger() <= bound;
+    if (isKept || (limits.isLast && limits.isLast())) return {ladder[step], expected};
     coarser = std::move(finer);
   }
   throw raster::InputError(
       "so small an error is out of reach for this scene",
-      "ask for " + raster::toText(std::ceil(expected.larger() * 1e4) / 1e4) + ", or for fewer texels");
+      "ask for " + raster::toText(std::ceil(expected->larger() * 1e4) / 1e4) + ", or for fewer texels");
 }
 
 }  // namespace hemitex::radiosity

@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <functional>
 #include <glm/glm.hpp>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -46,8 +47,15 @@ LightErrors lightErrors(const Discretization& discretization, const std::vector<
                         std::span<const glm::dvec3> found, std::span<const glm::dvec3> truth);
 
 struct ErrorBoundChoice {
-  Effort effort;               ///< of the last solution
-  LightErrors expectedErrors;  ///< of the last solution
+  Effort effort;  ///< of the last solution
+  /// Of the last solution; nothing if it is the first one, so that none is there to compare it with.
+  std::optional<LightErrors> expectedErrors;
+};
+
+/// Where a choice of effort begins, and when it ends before the bound is kept.
+struct EffortLimits {
+  Effort coarsest{1, 0};              ///< no solution has a larger limit of splits, or a lower resolution
+  std::function<bool()> isLast = {};  ///< whether the last solution met a limit, so that none has more effort
 };
 
 /// Solves at an effort; returns the radiosity of each element in W/m^2.
@@ -56,9 +64,13 @@ using SolveWith = std::function<std::vector<glm::dvec3>(const Effort&)>;
 /// The share of all emitted flux that may stay unshot for a bound on the error: a tenth of the bound.
 double residualFor(double bound);
 
-/// Solves at growing efforts until both expected errors are within `bound`, above 0. See lightErrors for `seen`. Throws
-/// InputError if no effort of the ladder is enough; the advice says which bound can be reached.
+/// Throws InputError if fewer than two efforts of the ladder are as fine as `coarsest`: two solutions are compared.
+void requireEfforts(const Effort& coarsest);
+
+/// Solves at growing efforts until both expected errors are within `bound`, above 0, or a limit is met. See lightErrors
+/// for `seen`. Throws InputError as requireEfforts, and if no effort of the ladder is enough; the advice says which
+/// bound can be reached.
 ErrorBoundChoice chooseEffort(const Discretization& discretization, const std::vector<bool>& seen,
-                              const SolveWith& solveWith, double bound);
+                              const SolveWith& solveWith, double bound, const EffortLimits& limits = {});
 
 }  // namespace hemitex::radiosity

@@ -158,9 +158,10 @@ Solution shoot(const SolveInput& input, ShootingState& state, RowCache& rows, Ba
     state.shoot(patch, row);
     ++solution.shots;
     solution.residual = state.residual();
-    const bool goesOn =
-        !progress || progress({solution.shots, solution.residual, isDone(), state.patches(), snapshot, likelyShots});
-    solution.isInterrupted = !goesOn && !isDone();
+    const bool isLast = isDone();
+    if (input.prepare && !isLast) input.prepare({state.patches(), likelyShots});
+    const bool goesOn = !progress || progress({solution.shots, solution.residual, isLast, snapshot});
+    solution.isInterrupted = !goesOn && !isLast;
   }
   return solution;
 }
@@ -259,11 +260,9 @@ double defaultResidual(const Scene& scene) {
   return brightest(scene.outside) > 0 ? withoutOutside * outsideShare : withoutOutside;
 }
 
-Progress preparing(const PatchRows& rows, const Progress& progress) {
-  return [&rows, &progress](const Step& step) {
-    if (rows.prepare) rows.prepare(step);
-    return !progress || progress(step);
-  };
+std::string endOf(const Solution& solution, const SolverSettings& settings) {
+  if (solution.isInterrupted) return "progress";
+  return settings.shots && solution.shots >= *settings.shots ? "shots" : "residual";
 }
 
 Solution solve(SolveInput input, const Progress& progress) {

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "radiosity/discretization/discretization.h"
-#include "radiosity/form_factors/patch_subdivision.h"
+#include "radiosity/form_factors/patch_rows.h"
 #include "radiosity/form_factors/row_cache.h"
 #include "radiosity/scene/scene.h"
 #include "radiosity/solver/shooting_state.h"
@@ -51,7 +51,8 @@ struct SolveInput {
   const Discretization& discretization;  ///< of which `patches` are used instead of its own
   Patches patches;                       ///< at least one
   RowSource rowOf;
-  PatchSplit split = {};  ///< without it no patch is split
+  PatchSplit split = {};                                    ///< see PatchRows
+  std::function<void(const NextShots& next)> prepare = {};  ///< see PatchRows
   SolverSettings settings = {};
   OutsideFlux outside = {};  ///< light from outside the scene
   SeenLight seen = {};
@@ -92,39 +93,19 @@ struct Solution {
   std::optional<Continuation> continuation = {};  ///< if SolveInput::isContinued
 };
 
-/// A patch that will probably shoot soon, and its weight (see PatchSplit) if it shot now.
-struct LikelyShot {
-  std::uint32_t patch = 0;
-  double weight = 0;
-};
-
 /// A solution after a shot.
 struct Step {
   int shots = 0;
   double residual = 0;
-  bool isLast = false;  ///< a limit of the settings is reached
-  const Patches& patches;
+  bool isLast = false;                 ///< a limit of the settings is reached
   std::function<Snapshot()> snapshot;  ///< from which `solve` goes on
-  /// Likely shots, the one with the most flux first: at most `count`, without those whose rows are in the cache.
-  std::function<std::vector<LikelyShot>(std::size_t count)> likelyShots;
 };
-
-/// The rows of a solution, and the patches that they are of.
-struct PatchRows {
-  RowSource rowOf;
-  PatchSplit split = {};                               ///< see SolveInput
-  double captured = 1;                                 ///< share of a patch's light that rows hold; the rest is lost
-  std::function<void(const Step& step)> prepare = {};  ///< called after each shot: computes rows of likely shots
-};
-
-/// Gives other rows than those that are drawn, or goes around these. The arguments outlive the rows.
-using OtherRows = std::function<PatchRows(PatchRows drawn, const Scene& scene, const Discretization& discretization)>;
 
 /// Called after each shot. The solution ends there if it returns false.
 using Progress = std::function<bool(const Step&)>;
 
-/// A progress that first computes the rows of likely shots. Both arguments must outlive it.
-Progress preparing(const PatchRows& rows, const Progress& progress);
+/// What ended a solution with these settings: `progress`, `shots` or `residual`.
+std::string endOf(const Solution& solution, const SolverSettings& settings);
 
 /// Starts from the emission of the elements and the light from outside, and shoots until a limit of the settings is
 /// reached. The result does not depend on the number of threads, on the memory of the row cache, or on snapshots.

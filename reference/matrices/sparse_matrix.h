@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "reference/rows/sparse_row.h"
+#include "reference/matrices/sparse_row.h"
 
 namespace hemitex::reference {
 

@@ -25,7 +25,7 @@
 #include "radiosity/discretization/discretization.h"
 #include "radiosity/index_maps/id_layout.h"
 #include "radiosity/scene/scene.h"
-#include "reference/rows/sparse_row.h"
+#include "reference/matrices/sparse_row.h"
 
 namespace hemitex::reference {
 

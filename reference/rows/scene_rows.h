@@ -14,7 +14,7 @@
 #include "radiosity/index_maps/id_layout.h"
 #include "radiosity/scene/scene.h"
 #include "radiosity/scene/surface_names.h"
-#include "reference/rows/sparse_row.h"
+#include "reference/matrices/sparse_row.h"
 
 namespace hemitex::reference {
 

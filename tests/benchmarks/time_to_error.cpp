@@ -11,7 +11,6 @@
 #include <cstdio>
 #include <ctime>
 #include <iostream>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,7 +19,7 @@
 #include "radiosity/solver/error_control.h"
 #include "raster/base/parallel.h"
 #include "reference/measurement/bench/timing.h"
-#include "reference/truth/rays/embree_form_factors.h"
+#include "reference/rows/solution_rows.h"
 #include "tests/benchmarks/traced_scene.h"
 
 using namespace hemitex;
@@ -46,15 +45,7 @@ struct Choice {
 };
 
 /// The rows of `hemitex solve --method rays`: hemicubes determine how patches are split.
-reference::TradeRows splitRays(int rays) {
-  const auto others = [rays](const radiosity::PatchRows& drawn, const radiosity::Scene& scene,
-                             const radiosity::Discretization& discretization) {
-    const auto rows = std::make_shared<reference::RayRows>(scene, discretization,
-                                                           reference::RayRowSettings{rays, reference::RayStart::Area});
-    return radiosity::PatchRows{[rows](const radiosity::Patch& patch) { return rows->ofPatch(patch); }, drawn.split};
-  };
-  return {.others = others};
-}
+reference::TradeRows splitRays(int rays) { return {.others = reference::rayRows({rays, reference::RayStart::Area})}; }
 
 std::vector<Variant> variants() {
   const std::vector<int> resolutions{16, 22, 32, 46, 64, 90, 128, 182, 256, 362, 512, 724, 1024};

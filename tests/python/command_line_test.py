@@ -167,11 +167,19 @@ def test_edit_equals_hemitex_solve_with_edits(tmp_path: Path) -> None:
 
 def test_solve_with_a_bound_equals_hemitex_solve(tmp_path: Path) -> None:
     room = DATA / "paper-room.obj"
-    solution = hx.solve(hx.discretize(hx.load_scene(room), texels=4), max_error=0.05)
+    elements = hx.discretize(hx.load_scene(room), texels=4)
+    solution = hx.solve(elements, max_error=0.05)
     run("solve", room, "--texels", 4, "--max-error", 0.05, "-o", tmp_path)
     about = json.loads((tmp_path / "solution.json").read_text())
     assert np.array_equal(solution.radiosity, elements_of(tmp_path)["radiosity"])
     assert solution.expected_error == max(about["expected_error"], about["expected_error_seen"])
+    limits = ["--resolution", 192, "--residual", 0.003, "--shots", 5000]
+    run("solve", room, "--texels", 4, "--max-error", 0.05, *limits, "-o", tmp_path)
+    limited = hx.solve(elements, max_error=0.05, resolution=192, residual=0.003, shots=5000)
+    assert np.array_equal(limited.radiosity, elements_of(tmp_path)["radiosity"])
+    assert limited.residual <= 0.003 and limited.ended_by == "residual"
+    ended = hx.solve(elements, max_error=0.05, shots=7)
+    assert ended.shots == 7 and ended.ended_by == "shots" and ended.expected_error is None
 
 
 def test_solve_of_facets_with_a_bound_equals_hemitex_solve(tmp_path: Path) -> None:
@@ -181,8 +189,12 @@ def test_solve_of_facets_with_a_bound_equals_hemitex_solve(tmp_path: Path) -> No
     assert np.array_equal(solution.radiosity, elements_of(tmp_path)["radiosity"])
     assert solution.row_error == json.loads((tmp_path / "solution.json").read_text())["row_error"]
     assert solution.expected_error is None
-    with pytest.raises(hx.InputError, match="whole facets"):
-        hx.solve(hx.discretize(hx.load_scene(room, facets=True), texels=2), max_error=0.05)
+    divided = hx.solve(hx.discretize(hx.load_scene(room, facets=True), texels=2), max_error=0.05)
+    run("solve", room, "--facets", "--texels", 2, "--max-error", 0.05, "-o", tmp_path)
+    assert np.array_equal(divided.radiosity, elements_of(tmp_path)["radiosity"])
+    assert divided.row_error is None and divided.expected_error <= 0.05
+    with pytest.raises(hx.InputError, match="resolution"):
+        hx.solve(hx.load_scene(room, facets=True), max_error=0.05, resolution=64)
     with pytest.raises(hx.InputError, match="hemicubes"):
         hx.solve(hx.load_scene(room), max_error=0.05, method="single-plane")
     with pytest.raises(hx.InputError, match="rays"):

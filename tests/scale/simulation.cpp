@@ -15,9 +15,11 @@
 #include <utility>
 
 #include "radiosity/discretization/discretize.h"
+#include "radiosity/form_factors/rows_ahead.h"
 #include "radiosity/form_factors/scene_form_factors.h"
-#include "radiosity/ranks/rows_ahead.h"
+#include "radiosity/ranks/shared_tasks.h"
 #include "radiosity/scene/load_scene.h"
+#include "radiosity/solver/progressive_solver.h"
 #include "raster/base/parallel.h"
 
 using namespace hemitex;
@@ -121,11 +123,8 @@ Run simulated(int ranks, const Scene& scene, const Discretization& discretizatio
          .patches = discretization.patches,
          .rowOf = [&](const Patch& patch) { return rows.row(patch); },
          .split = formFactors.splits(),
-         .settings = settings},
-        [&](const Step& step) {
-          rows.lookAhead(step);
-          return true;
-        });
+         .prepare = [&](const NextShots& next) { rows.lookAhead(next); },
+         .settings = settings});
   const Run run{messenger.clock(), messenger.waited(), rows.counts()};
   endTasks(messenger);
   return run;

@@ -77,7 +77,7 @@ TEST_CASE("Commands say that a folder of hemitex solve --no-textures holds no li
     CHECK(outcome.exitCode == 2);
     CHECK(outcome.err.find("without --no-textures") != std::string::npos);
   }
-  for (const char* other : {"--lightmap", "--filter bilinear", "--magnify 2"}) {
+  for (const char* other : {"--filter bilinear", "--magnify 2"}) {
     const Outcome outcome = shell.run(quickSolve + "-o other --no-textures " + other);
     INFO(other);
     CHECK(outcome.exitCode == 2);
@@ -85,6 +85,23 @@ TEST_CASE("Commands say that a folder of hemitex solve --no-textures holds no li
   }
   shell.output(quickSolve + "-o small");
   shell.output("render small/scene.obj -o picture.png");
+}
+
+TEST_CASE("hemitex solve --no-textures --lightmap writes the light maps alone, with the bytes beside textures",
+          "[cli]") {
+  const Shell shell;
+  const std::string ofMaps = "--lightmap --filter bilinear --magnify 2 ";
+  shell.output(quickSolve + ofMaps + "-o whole");
+  shell.output(quickSolve + ofMaps + "-o maps --no-textures");
+  const json whole = solutionOf(shell, "whole"), maps = solutionOf(shell, "maps");
+  json expected = json::object();
+  for (const auto& [name, hash] : whole["files"].items())
+    if (name.starts_with("lightmap") || name == "elements.csv" || name == "scene.view.json") expected[name] = hash;
+  CHECK(expected.contains("lightmap.glb"));
+  json files = maps["files"];
+  CHECK(files.erase("render.png") == 1);  // it shows elements
+  CHECK(files == expected);
+  CHECK(maps["settings"]["filter"] == "bilinear");
 }
 
 TEST_CASE("The page of hemitex solve --no-textures says that it has no room to show", "[cli]") {

@@ -468,7 +468,9 @@ TEST_CASE("hemitex solve --adaptive keeps elements together where light changes 
   CHECK(elements > 6 * 16);
   CHECK(elements < 6 * 16 * 16 / 2);
   CHECK(linesOf(readAll(shell.file("out/elements.csv"))).size() == elements + 1);
-  CHECK(shell.run("solve room.obj --texels 12 --adaptive 0.01 -o none").exitCode == 2);
+  // 12 texels grow to 16.
+  shell.output("solve room.obj --texels 12 --patch 4 --resolution 32 --size 40x30 --adaptive 0.001 -o grown");
+  CHECK(readAll(shell.file("grown/elements.csv")) == readAll(shell.file("out/elements.csv")));
   CHECK(shell.run("solve room.obj --texels 16 --filter quadtree --adaptive 0 -o none").exitCode == 2);
   CHECK_FALSE(fs::exists(shell.file("none")));
 }
@@ -498,4 +500,93 @@ TEST_CASE("hemitex solve --filter changes display textures and no measured value
   for (const json& surface : three["surfaces"]) CHECK(surface["texture"]["magnification"] == 3);
   for (const char* options : {"--filter none", "--filter bicubic --magnify 0", "--magnify 17"})
     CHECK(shell.run(quickSolve + options + " -o none").exitCode == 2);
+}
+
+TEST_CASE("hemitex solve ends at the first of --shots and --residual, and says which", "[cli]") {
+  const Shell shell;
+  const auto solved = [&](const std::string& options) {
+    INFO(options);
+    const std::string text = shell.output("solve room.obj --texels 4 --resolution 32 --no-textures -o lit " + options);
+    const json solution = json::parse(readAll(shell.file("lit/solution.json")));
+    CHECK((text.find("where --shots ended it") != std::string::npos) == (solution["ended_by"] == "shots"));
+    return solution;
+  };
+  const json alone = solved("--residual 0.01");
+  CHECK(alone["ended_by"] == "residual");
+  const int shots = alone["shots"];
+  REQUIRE(shots > 3);
+  const json few = solved("--residual 0.01 --shots 3"), many = solved("--residual 0.01 --shots 100000");
+  CHECK(few["shots"] == 3);
+  CHECK(few["ended_by"] == "shots");
+  CHECK(few["residual"] > 0.01);
+  CHECK(many["shots"] == shots);
+  CHECK(many["ended_by"] == "residual");
+  CHECK(many["energy"] == alone["energy"]);
+}
+
+TEST_CASE("hemitex solve --max-error keeps the limits that are given beside it", "[cli]") {
+  const Shell shell;
+  const auto solved = [&](const std::string& options) {
+    INFO(options);
+    const Outcome outcome =
+        shell.run("solve room.obj --texels 4 --max-error 0.1 --size 40x30 --no-textures -o lit " + options);
+    REQUIRE(outcome.exitCode == 0);
+    json solution = json::parse(readAll(shell.file("lit/solution.json")));
+    const bool isWithin = !solution["expected_error"].is_null() && solution["expected_error"] <= 0.1 &&
+                          solution["expected_error_seen"] <= 0.1;
+    CHECK((outcome.err.find("--shots ended the solution") == std::string::npos) == isWithin);
+    return solution;
+  };
+  const json alone = solved("");
+  CHECK(alone["settings"]["residual"] == Approx(0.01));
+  CHECK(alone["settings"]["resolution"] < 256);
+
+  const json small = solved("--residual 0.002"), large = solved("--residual 0.5");
+  CHECK(small["settings"]["residual"] == 0.002);
+  CHECK(small["residual"] <= 0.002);
+  CHECK(large["energy"] == alone["energy"]);
+
+  const json fine = solved("--resolution 256"), split = solved("--split 0.0002");
+  CHECK(fine["settings"]["resolution"] > 256);
+  CHECK(split["settings"]["split"] < 0.0002);
+  CHECK(split["patches"] >= alone["patches"]);
+
+  const json ended = solved("--shots 5"), enough = solved("--shots 100000");
+  CHECK(ended["shots"] == 5);
+  CHECK(ended["ended_by"] == "shots");
+  CHECK(ended["expected_error"].is_null());
+  CHECK(enough["energy"] == alone["energy"]);
+  CHECK(enough["ended_by"] == "residual");
+}
+
+TEST_CASE("hemitex solve --adaptive --texel-size has quadtrees of the next power of two", "[cli]") {
+  const Shell shell;
+  shell.output("solve room.obj --adaptive 0.001 --texel-size 0.3 --resolution 32 --no-textures -o lit");
+  for (const json& surface : json::parse(readAll(shell.file("lit/solution.json")))["surfaces"]) {
+    const int columns = surface["columns"];
+    CHECK(columns == surface["rows"]);
+    CHECK((columns & (columns - 1)) == 0);
+  }
+}
+
+TEST_CASE("hemitex solve bounds the light of facets that are divided, and the end along a matrix", "[cli]") {
+  const Shell shell;
+  const std::string box = "solve " HEMITEX_DATA "/cornell-box.obj --no-textures --size 40x30 -o lit ";
+  const auto solved = [&](const std::string& options) {
+    INFO(options);
+    shell.output(box + options);
+    return json::parse(readAll(shell.file("lit/solution.json")));
+  };
+  const json divided = solved("--facets --max-error 0.2 --texels 2"), trees = solved("--facets --adaptive 0.01");
+  CHECK(divided["expected_error"] <= 0.2);
+  CHECK_FALSE(divided.contains("row_error"));
+  CHECK(divided["elements"] > divided["surfaces"].size());
+  CHECK(trees["elements"] > trees["surfaces"].size());
+  CHECK(fs::exists(shell.file("lit/scene.vtu")));
+
+  shell.output("formfactors " HEMITEX_DATA "/cornell-box.obj --all --facets -o F.npz");
+  const json given = solved("--matrix F.npz --max-error 0.02"), same = solved("--matrix F.npz --residual 0.002");
+  CHECK(given["residual"] <= 0.002);
+  CHECK(given["energy"] == same["energy"]);
+  CHECK(given["shots"] == same["shots"]);
 }

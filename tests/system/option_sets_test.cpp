@@ -71,9 +71,10 @@ std::vector<double> absorbedShares(const json& solution) {
 
 std::string nameOf(const std::string& option) { return option.substr(0, option.find(' ')); }
 
-/// Whether a row of docs/options.md has both options.
+/// Whether a row of docs/options.md about what is refused has both options.
 bool arePaired(const std::string& a, const std::string& b) {
-  for (const std::string& line : linesOf(raster::readFile(HEMITEX_DOCS "/options.md")))
+  const std::string page = raster::readFile(HEMITEX_DOCS "/options.md");
+  for (const std::string& line : linesOf(page.substr(0, page.find("What options mean together"))))
     if (line.find('`' + a) != std::string::npos && line.find('`' + b) != std::string::npos) return true;
   return false;
 }

@@ -3,7 +3,7 @@
 #include <stdexcept>
 
 #include "radiosity/base/module_symbol.h"
-#include "radiosity/meshes/vtk_xml_file.h"
+#include "radiosity/meshes/mesh_formats.h"
 #include "raster/base/file_io.h"
 #include "raster/base/input_error.h"
 #include "reference/base/hashes/sha256.h"

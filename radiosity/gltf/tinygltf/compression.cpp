@@ -1,5 +1,5 @@
-#include "radiosity/gltf/tinygltf/compression.h"
-
+/// Compressed meshes of glTF: those of KHR_draco_mesh_compression by Draco, and the buffer views of
+/// EXT_meshopt_compression by meshoptimizer.
 #include <draco/compression/decode.h>
 #include <draco/compression/point_cloud/point_cloud_decoder.h>
 #include <draco/core/varint_decoding.h>
@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "radiosity/gltf/tinygltf/accessors.h"
+#include "radiosity/gltf/tinygltf/model_parts.h"
 
 namespace hemitex::radiosity {
 namespace {

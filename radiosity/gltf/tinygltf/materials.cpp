@@ -1,5 +1,4 @@
-#include "radiosity/gltf/tinygltf/materials.h"
-
+/// The materials and images of a glTF file.
 #include <cmath>
 #include <map>
 #include <optional>
@@ -9,6 +8,7 @@
 
 #include "radiosity/base/unique_names.h"
 #include "radiosity/gltf/tinygltf/accessors.h"
+#include "radiosity/gltf/tinygltf/model_parts.h"
 
 namespace hemitex::radiosity {
 namespace {

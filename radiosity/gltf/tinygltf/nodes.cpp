@@ -1,5 +1,4 @@
-#include "radiosity/gltf/tinygltf/nodes.h"
-
+/// The nodes of a glTF file with their meshes and cameras.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -14,6 +13,7 @@
 
 #include "radiosity/base/unique_names.h"
 #include "radiosity/gltf/tinygltf/accessors.h"
+#include "radiosity/gltf/tinygltf/model_parts.h"
 
 namespace hemitex::radiosity {
 namespace {

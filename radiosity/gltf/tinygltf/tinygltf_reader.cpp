@@ -17,9 +17,7 @@
 
 #include "radiosity/gltf/gltf_module.h"
 #include "radiosity/gltf/tinygltf/accessors.h"
-#include "radiosity/gltf/tinygltf/compression.h"
-#include "radiosity/gltf/tinygltf/materials.h"
-#include "radiosity/gltf/tinygltf/nodes.h"
+#include "radiosity/gltf/tinygltf/model_parts.h"
 #include "raster/base/input_error.h"
 
 namespace hemitex::radiosity {

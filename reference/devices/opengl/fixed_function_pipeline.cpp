@@ -1,5 +1,9 @@
-#include "reference/devices/opengl/fixed_function_pipeline.h"
-
+/// The pipeline of Nielsen and Christensen (2002), for hardware without shaders.
+///
+/// An item ID is a colour of four bytes. An index map is a texture with such colours, and the offset of a draw is the
+/// flat colour of its triangles. The texture environment adds the two per byte with clamping. The vertex stage runs on
+/// the CPU for each view. It puts corners on the sub-pixels of the rules before the device snaps them. The depth is
+/// n/w, whose steps are finest far away, where it changes least; greater is nearer.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,6 +14,7 @@
 
 #include "raster/base/input_error.h"
 #include "raster/plain/rules.h"
+#include "reference/devices/opengl/pipeline.h"
 
 namespace hemitex::reference {
 namespace {

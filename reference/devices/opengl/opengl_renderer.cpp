@@ -10,9 +10,7 @@
 #include "raster/interface/depth_test.h"
 #include "reference/devices/batches.h"
 #include "reference/devices/opengl/context.h"
-#include "reference/devices/opengl/fixed_function_pipeline.h"
-#include "reference/devices/opengl/plain_pipeline.h"
-#include "reference/devices/opengl/shader_pipeline.h"
+#include "reference/devices/opengl/pipeline.h"
 #include "reference/devices/passed_samples.h"
 #include "reference/devices/viewport.h"
 

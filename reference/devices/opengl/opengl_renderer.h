@@ -23,9 +23,9 @@
 namespace hemitex::reference {
 
 enum class OpenGlPath {
-  FixedFunction,  ///< as in Nielsen and Christensen (2002), without shaders (fixed_function_pipeline.h)
-  Shader,         ///< shaders that implement all rules, for any format of item IDs (shader_pipeline.h)
-  Plain,          ///< what an application does by default, without any remedy (plain_pipeline.h)
+  FixedFunction,  ///< as in Nielsen and Christensen (2002), without shaders (fixed_function_pipeline.cpp)
+  Shader,         ///< shaders that implement all rules, for any format of item IDs (shader_pipeline.cpp)
+  Plain,          ///< what an application does by default, without any remedy (plain_pipeline.cpp)
 };
 
 /// Draws with the first device whose name contains `name`. Throws InputError if the list breaks the rules, there is no

@@ -1,5 +1,5 @@
 /// The interface of the pipelines of makeOpenGlRenderer, which convert the vertices of a draw to item IDs, and what
-/// several of them use: fixed_function_pipeline.h, shader_pipeline.h and plain_pipeline.h.
+/// several of them use. fixed_function_pipeline.cpp, shader_pipeline.cpp and plain_pipeline.cpp say how each draws.
 ///
 /// Clip coordinates are (x, y, z, w), where a unit of x / w is half the side of the device's viewport. It is up to 8
 /// times as wide as the face (viewport.h), so that the device clips triangles at sides so far out that clipping changes
@@ -9,6 +9,7 @@
 #include <epoxy/gl.h>
 
 #include <cstddef>
+#include <memory>
 #include <span>
 #include <string>
 
@@ -45,6 +46,17 @@ class OpenGlPipeline {
   /// single texel 0.
   virtual void draw(const raster::Draw& draw, const VertexRuns& runs) = 0;
 };
+
+/// For hardware without shaders. Requires a current context. Throws InputError if a clamped add per byte does not give
+/// the item IDs of the list. It does for channels of 8 bits with a clamped add, and in any format for item IDs that
+/// share no bits.
+std::unique_ptr<OpenGlPipeline> makeFixedFunction(const raster::DrawList& list);
+/// As an application has it by default. Requires a current context. Throws InputError if the driver rejects the
+/// programs.
+std::unique_ptr<OpenGlPipeline> makePlain(const raster::DrawList& list);
+/// By shaders that implement all rules of docs/item-buffers.md. Requires a current context. Throws InputError if the
+/// driver rejects the programs, or if the index maps exceed a buffer of the device.
+std::unique_ptr<OpenGlPipeline> makeShader(const raster::DrawList& list);
 
 /// Compiles, links and uses two shaders. Throws InputError with the message of the driver if it rejects them.
 void useProgram(const std::string& vertexText, const std::string& fragmentText);

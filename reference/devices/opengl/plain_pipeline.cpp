@@ -1,5 +1,11 @@
-#include "reference/devices/opengl/plain_pipeline.h"
-
+/// The pipeline that an application has by default: a 4x4 matrix, unit texture coordinates, a sampler with the nearest
+/// filter, clipping at the sides of the face, and the depth of the perspective projection. Positions in clip space,
+/// provoking vertices and stored depths are those of the API.
+///
+/// It has none of the remedies of the other pipelines, and shows what they are worth. It is as fast as plain means
+/// allow: triangles share vertices, one call draws neighbours in the list with the same index map, and the fragment
+/// shader adds a texel to an offset. Clamping takes several times as long, so only lists with sums that exceed a
+/// channel are drawn with it.
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -7,6 +13,7 @@
 #include <map>
 #include <vector>
 
+#include "reference/devices/opengl/pipeline.h"
 #include "reference/devices/shader_inputs.h"
 
 namespace hemitex::reference {

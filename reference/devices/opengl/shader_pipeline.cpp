@@ -1,7 +1,11 @@
-#include "reference/devices/opengl/shader_pipeline.h"
-
+/// The pipeline for hardware with shaders (item_ids.vert), which implement all rules of docs/item-buffers.md.
+///
+/// An item ID is a 32-bit integer in buffers and in the framebuffer, so that item IDs may have any format. The draw
+/// list is uploaded once for all views (shader_inputs.h). In a scene the depth is w, unless it is stored; smaller is
+/// nearer.
 #include "raster/base/input_error.h"
 #include "reference/devices/opengl/context.h"
+#include "reference/devices/opengl/pipeline.h"
 #include "reference/devices/shader_inputs.h"
 
 // CMake puts the texts of the shaders here.

@@ -1,16 +1,12 @@
 #include "reference/measurement/tradeoff/methods.h"
 
-#include <memory>
-#include <utility>
-
 #include "radiosity/form_factors/level_of_detail.h"
-#include "reference/truth/rays/embree_form_factors.h"
+#include "reference/rows/solution_rows.h"
 
 namespace hemitex::reference {
 namespace {
 
-using radiosity::Discretization;
-using radiosity::Scene;
+constexpr double unsplit = 1;
 
 /// Pixels of all faces of a projection; a hemicube has one square face and four halves.
 double pixelsOf(radiosity::ProjectionKind projection, int resolution) {
@@ -40,11 +36,7 @@ TradeMethod drawnMethod(const std::string& name, const radiosity::DrawingSetting
 
 TradeMethod rayMethod(const std::string& name, RayStart start, std::uint32_t seed) {
   const auto rows = [start, seed](int rays) -> TradeRows {
-    const auto others = [=](const radiosity::PatchRows&, const Scene& scene, const Discretization& discretization) {
-      const auto rayRows = std::make_shared<RayRows>(scene, discretization, RayRowSettings{rays, start, seed});
-      return radiosity::PatchRows{[rayRows](const radiosity::Patch& patch) { return rayRows->ofPatch(patch); }};
-    };
-    return {.others = others};
+    return {.drawing = {.split = unsplit}, .others = rayRows({rays, start, seed})};
   };
   // A direction and a start point.
   const auto bytes = [](int rays) { return static_cast<std::size_t>(rays) * 5 * sizeof(float); };
@@ -62,7 +54,6 @@ TradeMethod rayMethod(const std::string& name, RayStart start, std::uint32_t see
 
 std::vector<TradeMethod> tradeMethods(std::uint32_t seed) {
   using radiosity::ProjectionKind;
-  constexpr double unsplit = 1;
   return {drawnMethod("hemicube", {.orientation = radiosity::Orientation::Aligned, .split = unsplit},
                       {32, 64, 128, 256, 512, 1024, 2048}),
           drawnMethod("turned-hemicube", {.split = unsplit}),

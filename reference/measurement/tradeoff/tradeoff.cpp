@@ -59,7 +59,7 @@ TimedSolution timedSolution(const Scene& scene, const TradeMethod& method, const
             return found;
           },
       .solve =
-          [&](radiosity::SolveInput input, const radiosity::Progress&) {
+          [&](radiosity::SolveInput input) {
             radiosity::Solution solution = radiosity::solve(std::move(input));
             timed.seconds = watch.seconds();
             timed.rowCount = static_cast<std::size_t>(

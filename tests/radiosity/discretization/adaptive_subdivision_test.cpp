@@ -289,12 +289,23 @@ TEST_CASE("refined splits a small jump on a large area like a large jump on a sm
   CHECK(*discretization.grids[2].quadtree == uniformQuadtree(64, 16));
 }
 
-TEST_CASE("adaptiveDiscretization throws for a grid that is not square or not a power of two", "[adaptive]") {
-  const Scene scene = unitSquare();
-  const auto unused = [](const Discretization&) -> std::vector<glm::dvec3> { throw std::logic_error("not reached"); };
-  CHECK_THROWS_AS(adaptiveDiscretization(scene, {.texels = 12}, 1e-3, unused), raster::InputError);
-  const Scene oblong = sceneOf({parallelogram("oblong", {0, 0, 0}, {1, 0, 0}, {0, 2, 0})});
-  CHECK_THROWS_AS(adaptiveDiscretization(oblong, {.texelSize = 0.25}, 1e-3, unused), raster::InputError);
+TEST_CASE("adaptiveDiscretization has 2^n x 2^n texels, with both sides at least as many as asked", "[adaptive]") {
+  const Scene scene = sceneOf({parallelogram("square", {0, 0, 0}, {1, 0, 0}, {0, 1, 0}),
+                               parallelogram("oblong", {0, 0, 2}, {1, 0, 0}, {0, 2.1, 0})});
+  const auto sidesOf = [&](const DiscretizationSettings& settings) {
+    const auto even = [](const Discretization& each) { return std::vector(each.elements.size(), glm::dvec3(1)); };
+    std::vector<int> sides;
+    for (const Grid& grid : adaptiveDiscretization(scene, settings, 1e-3, even).grids) {
+      CHECK(grid.rows == grid.columns);
+      sides.push_back(grid.columns);
+    }
+    return sides;
+  };
+  CHECK(sidesOf({.texels = 16}) == std::vector{16, 16});
+  CHECK(sidesOf({.texels = 12}) == std::vector{16, 16});
+  CHECK(sidesOf({.texels = 1}) == std::vector{1, 1});
+  CHECK(sidesOf({.texelSize = 0.25}) == std::vector{4, 16});  // 1 / 0.25 = 4, and 2.1 / 0.25 = 8.4
+  CHECK(sidesOf({.texels = 4, .surfaceTexels = {{"oblong", {3, 5}}}}) == std::vector{4, 8});
 }
 
 TEST_CASE("adaptiveDiscretization of the Cornell box has a smaller error than twice as many texels", "[adaptive]") {

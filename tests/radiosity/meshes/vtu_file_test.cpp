@@ -3,8 +3,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "radiosity/meshes/legacy_vtk_file.h"
-#include "radiosity/meshes/vtk_xml_file.h"
+#include "radiosity/meshes/mesh_formats.h"
 #include "raster/base/input_error.h"
 #include "tests/support/shell.h"
 #include "tests/support/temporary_folder.h"

@@ -12,8 +12,8 @@
 
 #include "radiosity/discretization/discretize.h"
 #include "radiosity/discretization/patch_points.h"
+#include "radiosity/form_factors/row_update.h"
 #include "radiosity/light/light.h"
-#include "radiosity/solver/row_update.h"
 #include "raster/base/input_error.h"
 #include "raster/base/parallel.h"
 #include "raster/software/software_renderer.h"

@@ -67,7 +67,7 @@ void checkKeepsBounds(const std::string& name, const Scene& scene, int texels) {
       return found = solutionOf(scene, discretization, effort, residualFor(bound));
     };
     const ErrorBoundChoice choice = chooseEffort(discretization, {}, solveWith, bound);
-    CHECK(choice.expectedErrors.all <= bound);
+    CHECK(choice.expectedErrors->all <= bound);
     CHECK(reference::errorOf(discretization, found, truth.radiosity).fluxWeighted <= bound);
   }
 }
@@ -82,10 +82,57 @@ TEST_CASE("chooseEffort takes the first solution whose difference from the one b
   const SolveWith solutions = solutionsWithError(discretization.elements.size(), 1.28);
   const ErrorBoundChoice loose = chooseEffort(discretization, {}, solutions, 0.0065);
   CHECK(loose.effort.resolution == 96);
-  CHECK(loose.expectedErrors.all == Approx((1.28 / 64 - 1.28 / 96) / std::sqrt(2) / 0.75));
+  CHECK(loose.expectedErrors->all == Approx((1.28 / 64 - 1.28 / 96) / std::sqrt(2) / 0.75));
   const ErrorBoundChoice tight = chooseEffort(discretization, {}, solutions, 0.0035);
   CHECK(tight.effort.resolution == 128);
-  CHECK(tight.expectedErrors.all == Approx((1.28 / 96 - 1.28 / 128) / std::sqrt(2) / 0.75));
+  CHECK(tight.expectedErrors->all == Approx((1.28 / 96 - 1.28 / 128) / std::sqrt(2) / 0.75));
+}
+
+TEST_CASE("chooseEffort begins at an effort as fine as the coarsest one that is allowed", "[error_bound]") {
+  const Discretization discretization = twoSquares();
+  const auto effortsFrom = [&](const Effort& coarsest) {
+    std::vector<Effort> efforts;
+    const SolveWith equal = [&](const Effort& effort) {
+      efforts.push_back(effort);
+      return std::vector<glm::dvec3>(discretization.elements.size(), glm::dvec3(1));
+    };
+    const ErrorBoundChoice choice = chooseEffort(discretization, {}, equal, 0.01, {coarsest});
+    REQUIRE(efforts.size() == 2);  // equal solutions differ by nothing
+    CHECK(choice.effort.resolution == efforts[1].resolution);
+    CHECK(efforts[1].split < efforts[0].split);
+    return efforts[0];
+  };
+  CHECK(effortsFrom({1, 0}).resolution == 64);
+  CHECK(effortsFrom({1, 64}).resolution == 64);
+  for (const Effort& coarsest : {Effort{1, 66}, {0.04, 0}, {0.002, 128}, {0.01, 512}, {0.0002, 1024}}) {
+    const Effort first = effortsFrom(coarsest);
+    CAPTURE(coarsest.split, coarsest.resolution, first.split, first.resolution);
+    CHECK(first.resolution >= coarsest.resolution);
+    CHECK(first.split <= coarsest.split);
+    // One of both is reached no earlier.
+    CHECK((first.resolution < 2 * coarsest.resolution || first.split > 0.49 * coarsest.split));
+  }
+  for (const Effort& coarsest : {Effort{1, 1026}, {0.00019, 0}, {1, 4096}})
+    CHECK_THROWS_AS(effortsFrom(coarsest), raster::InputError);
+}
+
+TEST_CASE("chooseEffort ends with a solution that met a limit, with its error against the one before",
+          "[error_bound]") {
+  const Discretization discretization = twoSquares();
+  const SolveWith solutions = solutionsWithError(discretization.elements.size(), 1.28);
+  for (const int last : {1, 2, 3}) {
+    int solved = 0;
+    const SolveWith counted = [&](const Effort& effort) {
+      ++solved;
+      return solutions(effort);
+    };
+    const auto isLast = [&] { return solved == last; };
+    const ErrorBoundChoice choice = chooseEffort(discretization, {}, counted, 1e-4, {.isLast = isLast});
+    CHECK(solved == last);
+    CHECK(choice.effort.resolution == (last == 1 ? 64 : last == 2 ? 96 : 128));
+    CHECK(choice.expectedErrors.has_value() == (last > 1));
+    if (last == 3) CHECK(choice.expectedErrors->all == Approx((1.28 / 96 - 1.28 / 128) / std::sqrt(2) / 0.75));
+  }
 }
 
 TEST_CASE("chooseEffort makes more effort for smaller bounds", "[error_bound]") {
@@ -95,7 +142,7 @@ TEST_CASE("chooseEffort makes more effort for smaller bounds", "[error_bound]") 
     CAPTURE(bound);
     const ErrorBoundChoice choice =
         chooseEffort(discretization, {}, solutionsWithError(discretization.elements.size(), 2), bound);
-    CHECK(choice.expectedErrors.all <= bound);
+    CHECK(choice.expectedErrors->all <= bound);
     CHECK(choice.effort.resolution / choice.effort.split >= before);
     before = choice.effort.resolution / choice.effort.split;
   }
@@ -136,8 +183,8 @@ TEST_CASE("chooseEffort keeps the bound of a seen surface that has little of the
     CHECK(chooseEffort(discretization, seen, solutions, bound).effort.resolution == 96);
   const ErrorBoundChoice choice = chooseEffort(discretization, {true, false}, solutions, bound);
   CHECK(choice.effort.resolution == 128);
-  CHECK(choice.expectedErrors.seen == Approx((1.28 / 96 - 1.28 / 128) / std::sqrt(2) / 0.75));
-  CHECK(choice.expectedErrors.all == Approx(choice.expectedErrors.seen / 1001));
+  CHECK(choice.expectedErrors->seen == Approx((1.28 / 96 - 1.28 / 128) / std::sqrt(2) / 0.75));
+  CHECK(choice.expectedErrors->all == Approx(choice.expectedErrors->seen / 1001));
 }
 
 TEST_CASE("residualFor leaves a tenth of the bound", "[error_bound]") {

@@ -177,18 +177,17 @@ TEST_CASE("solve lists likely shots whose rows are not in the cache", "[solver]"
     return rows.ofPatch(patch);
   };
   // The cache keeps all rows, so that a patch whose row is computed was the first of a list, after the first shot.
-  const Progress look = [&](const Step& step) {
-    const std::vector<LikelyShot> likely = step.likelyShots(discretization.patches.list.size());
+  const auto look = [&](const NextShots& next) {
+    const std::vector<LikelyShot> likely = next.likely(discretization.patches.list.size());
     for (const LikelyShot& each : likely) CHECK(std::count(shot.begin(), shot.end(), each.patch) == 0);
     if (!likely.empty()) foremost.push_back(likely.front().patch);
-    return true;
   };
   solve({.scene = scene,
          .discretization = discretization,
          .patches = discretization.patches,
          .rowOf = rowOf,
-         .settings = {.residual = 0, .shots = 30}},
-        look);
+         .prepare = look,
+         .settings = {.residual = 0, .shots = 30}});
   CHECK(shot.size() > 4);
   for (std::size_t i = 1; i < shot.size(); ++i) CHECK(std::count(foremost.begin(), foremost.end(), shot[i]) > 0);
 }

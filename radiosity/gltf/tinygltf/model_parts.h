@@ -1,5 +1,4 @@
-/// Compressed meshes of glTF: those of KHR_draco_mesh_compression by Draco, and the buffer views of
-/// EXT_meshopt_compression by meshoptimizer.
+/// What the parts of the reader read from the model of tinygltf: compressed meshes, materials, and nodes.
 #pragma once
 
 #include <tiny_gltf.h>
@@ -19,5 +18,13 @@ std::optional<std::string> withPlaceholders(const std::string& bytes);
 /// Appends the values of compressed meshes as buffers, and makes views, accessors and indices refer to them. Throws
 /// Fault (accessors.h) for broken data, and what the budget throws for too much memory.
 void decompress(tinygltf::Model& gltf, const ImportBudget& budget);
+
+/// Adds the images, those of one source once, and the materials to the import. Throws Fault (accessors.h) for wrong
+/// numbers.
+void readMaterials(const tinygltf::Model& gltf, GltfImport& import);
+
+/// Adds the nodes of the scene that the file shows, their meshes and the first perspective camera to the import. Throws
+/// Fault (accessors.h) for wrong numbers, and what the budget throws for too much memory.
+void readNodes(const tinygltf::Model& gltf, const ImportBudget& budget, GltfImport& import);
 
 }  // namespace hemitex::radiosity

@@ -1,4 +1,4 @@
-#include "radiosity/form_factors/back_absorption.h"
+#include "radiosity/light/back_absorption.h"
 
 #include <algorithm>
 #include <memory>

@@ -13,9 +13,9 @@
 #include <vector>
 
 #include "radiosity/form_factors/form_factor_row.h"
+#include "radiosity/form_factors/patch_rows.h"
 #include "radiosity/form_factors/scene_form_factors.h"
 #include "radiosity/ranks/messenger.h"
-#include "radiosity/solver/progressive_solver.h"
 
 namespace hemitex::radiosity {
 
@@ -32,8 +32,8 @@ class RowsAhead {
   /// `budget` in bytes, for rows that have arrived and are not needed yet. References must outlive this object.
   RowsAhead(Messenger& ranks, SceneFormFactors& formFactors, std::size_t budget);
 
-  /// Gives likely rows to ranks that have room for a task. Call it after each shot. Throws RankError if a rank failed.
-  void lookAhead(const Step& step);
+  /// Gives likely rows to ranks that have room for a task. Call it between shots. Throws RankError if a rank failed.
+  void lookAhead(const NextShots& next);
   /// The row of a patch. Computes it if no rank has it, or if the rank that computes it is slow. Throws RankError.
   FormFactorRow row(const Patch& patch);
 
@@ -56,7 +56,7 @@ class RowsAhead {
   bool isKept(std::uint32_t patch, const Points& points) const;
   FormFactorRow rowOf(const Patch& patch);
   FormFactorRow computed(const Points& points);
-  std::optional<Task> nextTask(const Patches& patches, const std::vector<LikelyShot>& shots, std::size_t& next);
+  std::optional<Task> nextTask(const Patches& patches, const std::vector<LikelyShot>& shots, std::size_t& place);
   bool areOthersSlow() const;
   void keep(Task task, FormFactorRow row);
   void drop(std::uint32_t patch);

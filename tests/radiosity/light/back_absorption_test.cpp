@@ -1,5 +1,5 @@
 // backAbsorption: which surfaces' backs absorb the light that the solution loses to backs.
-#include "radiosity/form_factors/back_absorption.h"
+#include "radiosity/light/back_absorption.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>

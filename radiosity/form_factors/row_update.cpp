@@ -1,4 +1,4 @@
-#include "radiosity/solver/row_update.h"
+#include "radiosity/form_factors/row_update.h"
 
 #include <algorithm>
 #include <limits>

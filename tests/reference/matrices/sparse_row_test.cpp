@@ -1,5 +1,5 @@
 // SparseRow: entries by their columns.
-#include "reference/rows/sparse_row.h"
+#include "reference/matrices/sparse_row.h"
 
 #include <catch2/catch.hpp>
 

@@ -1,4 +1,4 @@
-#include "radiosity/ranks/rows_ahead.h"
+#include "radiosity/form_factors/rows_ahead.h"
 
 #include <algorithm>
 #include <chrono>
@@ -85,19 +85,19 @@ bool RowsAhead::isKept(std::uint32_t patch, const Points& points) const {
   return found != kept_.end() && found->second.points == points;
 }
 
-void RowsAhead::lookAhead(const Step& step) {
+void RowsAhead::lookAhead(const NextShots& next) {
   takeMessages();
   if (tasksOf_.size() == 1 || keptBytes_ >= budget_) return;
   const std::size_t needed = rowsNeeded();
   const std::size_t fewest = *std::min_element(tasksOf_.begin() + 1, tasksOf_.end());
   const bool isRoom = fewest < tasksPerRank;
   if (!isRoom && !areOthersSlow()) return;
-  const std::vector<LikelyShot> shots = step.likelyShots(needed);
-  std::size_t next = 0;
+  const std::vector<LikelyShot> shots = next.likely(needed);
+  std::size_t place = 0;
   for (std::size_t held = fewest; isRoom && held < tasksPerRank; ++held)
     for (std::size_t rank = 1; rank < tasksOf_.size(); ++rank) {
       if (tasksOf_[rank] > held) continue;
-      std::optional<Task> task = nextTask(step.patches, shots, next);
+      std::optional<Task> task = nextTask(next.patches, shots, place);
       if (!task) break;
       std::string message;
       appendBytes(message, tasksGiven_);
@@ -107,7 +107,7 @@ void RowsAhead::lookAhead(const Step& step) {
       ++tasksOf_[rank];
     }
   if (!areOthersSlow() || shots.empty() || !isUnderWay(shots.front().patch)) return;
-  if (std::optional<Task> task = nextTask(step.patches, shots, next)) {
+  if (std::optional<Task> task = nextTask(next.patches, shots, place)) {
     const double start = seconds();
     FormFactorRow row = computed(task->points);
     keep(*std::move(task), std::move(row));
@@ -116,11 +116,11 @@ void RowsAhead::lookAhead(const Step& step) {
   }
 }
 
-/// The first likely shot from `next` on whose row no rank has or computes.
+/// The first likely shot from `place` on whose row no rank has or computes.
 std::optional<RowsAhead::Task> RowsAhead::nextTask(const Patches& patches, const std::vector<LikelyShot>& shots,
-                                                   std::size_t& next) {
-  while (next < shots.size()) {
-    const LikelyShot& shot = shots[next++];
+                                                   std::size_t& place) {
+  while (place < shots.size()) {
+    const LikelyShot& shot = shots[place++];
     if (shot.weight == 0) return std::nullopt;  // its row will have another resolution, as will those of the rest
     if (kept_.contains(shot.patch) || isUnderWay(shot.patch)) continue;
     Points points = formFactors_.likelyPoints(patches, patches.list[shot.patch], shot.weight);
