@@ -46,6 +46,7 @@ void addMethodOptions(Command command, SolveOptions& options) {
       "compute form factors with this projection or with rays (default hemicube). The result of rays differs between "
       "machines in the last digits.");
   addDrawingOptions(command, options.drawing);
+  addRowDevice(command, options.device);
   addSamples(command, options.samples);
   addSeed(command, options.seed);
 }
@@ -105,7 +106,7 @@ void addFacetOptions(Command command, SolveOptions& options) {
                                      "--all` or another program computed for the same mesh (default: compute them)",
                                      "FILE");
   for (const char* other : {"--no-facets", "--texels", "--texel-size", "--surface", "--adaptive", "--max-error",
-                            "--method", "--resolution", "--orientation", "--split"})
+                            "--method", "--resolution", "--orientation", "--split", "--device"})
     matrix.excludes(command.option(other));
   command.option("--facets").excludes(command.option("--adaptive"));
 }
@@ -117,7 +118,7 @@ void completeFacets(Command command, SolveOptions& options) {
                          options.edits.empty();
   if (!options.facets && !isDefault && options.matrix.empty()) return;
   chooseFacets(command, options.scene.settings, options.discretization);
-  if (options.maxError) refuseUnused(command, {"--texels", "--texel-size", "--surface"}, "hemicube --max-error");
+  if (options.maxError) refuseUnused(command, {"--texels", "--texel-size", "--surface", "--device"}, "hemicube --max-error");
 }
 
 /// Adds the options of display textures.

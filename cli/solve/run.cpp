@@ -47,6 +47,7 @@ radiosity::OtherRows rowsOf(const SolveOptions& options, const reference::RowErr
 radiosity::LightHooks hooksOf(const SolveOptions& options, const reference::RowErrors& errors) {
   return {.layOut = [ids = options.id](
                         const radiosity::Discretization& discretization) { return layoutOf(ids, discretization); },
+          .makeRenderer = options.makeRenderer,
           .rows = rowsOf(options, errors)};
 }
 
