@@ -15,9 +15,9 @@
 #include "cli/report/embedded_files.h"
 #include "cli/report/html_page.h"
 #include "cli/scene/scene_options.h"
+#include "radiosity/discretization/discretize.h"
 #include "raster/base/file_io.h"
 #include "raster/base/input_error.h"
-#include "radiosity/discretization/discretize.h"
 #include "reference/measurement/bench/render_times.h"
 #include "reference/measurement/bench/row_rates.h"
 #include "reference/measurement/paper/scenes.h"
@@ -84,9 +84,9 @@ void benchRows(const BenchOptions& options, Context& context) {
   reference::RowRateSettings settings{.threads = std::max(1, context.threads)};
   if (!options.resolutions.empty()) settings.resolutions = options.resolutions;
   std::vector<reference::PaperDevice> devices;
-  for (const auto& [name, device] : {std::pair{"vulkan", Device::Vulkan},
-                                     {"vulkan-compute", Device::VulkanCompute},
-                                     {"opengl", Device::OpenGl}}) try {
+  for (const auto& [name, device] :
+       {std::pair{"vulkan", Device::Vulkan}, {"vulkan-compute", Device::VulkanCompute}, {"opengl", Device::OpenGl}})
+    try {
       devices.push_back({name, rowRenderers({device}, context.console)});
     } catch (const raster::InputError& error) {
       context.console.message(std::string(name) + " is not measured: " + error.what());
@@ -95,9 +95,8 @@ void benchRows(const BenchOptions& options, Context& context) {
   const nlohmann::ordered_json rates =
       listOf(reference::rowRates(rowScenes(options), devices, settings, progress),
              [](const reference::RowRate& rate) -> nlohmann::ordered_json {
-               return {{"scene", rate.scene},       {"level", rate.level},
-                       {"elements", rate.elements}, {"resolution", rate.resolution},
-                       {"rows", rate.what},         {"per_second", rate.rowsPerSecond}};
+               return {{"scene", rate.scene},           {"level", rate.level}, {"elements", rate.elements},
+                       {"resolution", rate.resolution}, {"rows", rate.what},   {"per_second", rate.rowsPerSecond}};
              });
   context.console.endProgress();
   if (context.json)
@@ -143,8 +142,9 @@ void addBench(Command program, Context& context) {
   addResolutions(command, options->resolutions);
   command.addOutputFolder("-o,--output", options->output,
                           "write report.html, bench.json and tables.md into this folder (default: no files)");
-  command.addFlag("--rows", options->rows,
-                  "print only how many rows a second threads and devices compute, over the levels of the paper")
+  command
+      .addFlag("--rows", options->rows,
+               "print only how many rows a second threads and devices compute, over the levels of the paper")
       .excludes(command.option("--output"));
   command.addExamples({"data/cornell-box.obj --resolution 256", "-o bench", "--rows --threads 16"});
   command.onRead([options, &context] { context.command = [options, &context] { bench(*options, context); }; });

@@ -1,12 +1,13 @@
 #include "cli/devices/row_device.h"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <unistd.h>
 
 #include "cli/common/program.h"
 #include "raster/base/file_io.h"
@@ -42,8 +43,9 @@ std::map<std::uint32_t, std::uint64_t> sumsOf(std::span<const raster::ItemBuffer
 /// Whether the renderer, if it sums pixels, finds the sums of the buffers that it draws.
 bool areSumsRight(raster::ItemBufferRenderer& renderer, const std::vector<raster::Face>& faces) {
   constexpr std::uint32_t ids = 1 << 16;
-  const std::unique_ptr<raster::PixelSums> sums =
-      renderer.makeSums([] { return raster::SlotTable{.bits = 16, .backId = ids + 1, .back = ids, .blocks = {{ids, 0}}}; });
+  const std::unique_ptr<raster::PixelSums> sums = renderer.makeSums([] {
+    return raster::SlotTable{.bits = 16, .backId = ids + 1, .back = ids, .blocks = {{ids, 0}}};
+  });
   if (!sums) return true;
   const std::vector<raster::ItemBuffer> buffers = render(renderer, faces);
   std::vector<std::size_t> weights;
@@ -67,7 +69,8 @@ Judgement judged(const RowDevice& device) {
     if (hasErrors(verdict) || !areSumsRight(*renderer, facesOf(vector))) all.wrong.push_back(vector.name);
     const reference::VerdictCounts counts = countVerdicts(verdict);
     for (std::size_t v = 0; v < counts.size(); ++v)
-      (static_cast<reference::PixelVerdict>(v) == reference::PixelVerdict::Exact ? all.exact : all.explained) += counts[v];
+      (static_cast<reference::PixelVerdict>(v) == reference::PixelVerdict::Exact ? all.exact : all.explained) +=
+          counts[v];
   }
   return all;
 }
@@ -92,10 +95,8 @@ std::optional<Judgement> readJudgement(const std::filesystem::path& file) try {
 
 /// Replaces the file at once, so that no other process reads a part of it. Without a place for it there is no record.
 void writeJudgement(const std::filesystem::path& file, const std::string& device, const Judgement& judgement) {
-  const ordered_json json{{"device", device},
-                          {"exact", judgement.exact},
-                          {"explained", judgement.explained},
-                          {"wrong", judgement.wrong}};
+  const ordered_json json{
+      {"device", device}, {"exact", judgement.exact}, {"explained", judgement.explained}, {"wrong", judgement.wrong}};
   std::error_code error;
   std::filesystem::create_directories(file.parent_path(), error);
   const std::filesystem::path part = file.string() + "." + std::to_string(getpid());
@@ -108,8 +109,8 @@ void writeJudgement(const std::filesystem::path& file, const std::string& device
 
 /// The judgement of this program's renderer, which draws with that device and driver.
 Judgement knownOrJudged(const RowDevice& device, const std::string& name, Console& console) {
-  const std::string key = std::to_string(static_cast<int>(device.device)) + name +
-                          reference::sha256OfFile("/proc/self/exe");
+  const std::string key =
+      std::to_string(static_cast<int>(device.device)) + name + reference::sha256OfFile("/proc/self/exe");
   const std::filesystem::path folder = recordFolder(), file = folder / (reference::sha256(key) + ".json");
   if (!folder.empty())
     if (const auto known = readJudgement(file)) return *known;

@@ -118,7 +118,8 @@ void completeFacets(Command command, SolveOptions& options) {
                          options.edits.empty();
   if (!options.facets && !isDefault && options.matrix.empty()) return;
   chooseFacets(command, options.scene.settings, options.discretization);
-  if (options.maxError) refuseUnused(command, {"--texels", "--texel-size", "--surface", "--device"}, "hemicube --max-error");
+  if (options.maxError)
+    refuseUnused(command, {"--texels", "--texel-size", "--surface", "--device"}, "hemicube --max-error");
 }
 
 /// Adds the options of display textures.

@@ -1,6 +1,6 @@
-/// Rows that a device draws together before a solution needs them, because many at once take less time. The patches with
-/// the most unshot flux will shoot soon. A row depends on nothing but its points, so the solution has the same bits as
-/// without this.
+/// Rows that a device draws together before a solution needs them, because many at once take less time. The patches
+/// with the most unshot flux will shoot soon. A row depends on nothing but its points, so the solution has the same
+/// bits as without this.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
-/// Sums of pixels where they are drawn: what a renderer may offer besides item buffers, so that only sums are read back.
-/// A sum is of integers, so that it does not depend on the order of the pixels.
+/// Sums of pixels where they are drawn: what a renderer may offer besides item buffers, so that only sums are read
+/// back. A sum is of integers, so that it does not depend on the order of the pixels.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
-// Adds the pixels of faces to the sums of their slots. An invocation takes some pixels of a row, and adds a run of equal
-// item IDs at once: the difference of two running sums of weights.
+// Adds the pixels of faces to the sums of their slots. An invocation takes some pixels of a row, and adds a run of
+// equal item IDs at once: the difference of two running sums of weights.
 
 layout(local_size_x = 4, local_size_y = 16) in;
 const uint pixelsAtOnce = 32;

@@ -51,8 +51,7 @@ void recordDraws(const vk::raii::CommandBuffer& commands, const FaceDrawing& dra
 /// The vertices without the skipped triangles.
 VertexRuns runsWithout(const FaceDrawing& drawing, std::span<const std::uint32_t> skipped) {
   // Each corner has the number of its draw, so all draws are one batch.
-  const auto batches =
-      batchesOf(drawing.list, skipped, [](const raster::Draw&, const raster::Draw&) { return true; });
+  const auto batches = batchesOf(drawing.list, skipped, [](const raster::Draw&, const raster::Draw&) { return true; });
   return batches.empty() ? VertexRuns{} : batches.front().runs;
 }
 
@@ -93,9 +92,8 @@ vk::raii::CommandBuffer makeCommands(const FaceDrawing& drawing) {
 
 Canvas makeCanvas(const FaceDrawing& drawing, vk::Extent2D size, std::size_t faces, std::size_t views) {
   const auto layers = static_cast<std::uint32_t>(faces);
-  RenderTargets targets = drawing.tiles
-                              ? makeStoredTargets(drawing.context, size, layers)
-                              : makeRenderTargets(drawing.context, drawing.graphics->formats, size, layers);
+  RenderTargets targets = drawing.tiles ? makeStoredTargets(drawing.context, size, layers)
+                                        : makeRenderTargets(drawing.context, drawing.graphics->formats, size, layers);
   std::optional<TileBuffers> tiles;
   if (drawing.tiles)
     tiles = makeTileBuffers(drawing.context, *drawing.tiles, drawing.arrays, targets.colour, faces, views);
@@ -116,7 +114,8 @@ std::size_t facesAtOnce(const FaceDrawing& drawing, vk::Extent2D size) {
   constexpr std::size_t pixels = std::size_t{1} << 25, bytesOfPieces = std::size_t{1} << 29;
   const vk::PhysicalDeviceLimits limits = drawing.context.physicalDevice.getProperties().limits;
   std::size_t layers = limits.maxImageArrayLayers;
-  if (drawing.tiles) layers = std::min(layers, facesWithPieces(drawing.tiles->triangles,
+  if (drawing.tiles)
+    layers = std::min(layers, facesWithPieces(drawing.tiles->triangles,
                                               std::min<std::size_t>(bytesOfPieces, limits.maxStorageBufferRange)));
   return std::max<std::size_t>(1, std::min(layers, pixels / (std::size_t{size.width} * size.height)));
 }

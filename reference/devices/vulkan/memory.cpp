@@ -45,13 +45,11 @@ std::optional<std::uint32_t> memoryType(const vk::PhysicalDeviceMemoryProperties
 VulkanBuffer makeBuffer(const VulkanContext& context, std::size_t size, BufferUse use) {
   using Usage = vk::BufferUsageFlagBits;
   vk::raii::Buffer buffer(
-      context.device,
-      vk::BufferCreateInfo{.size = std::max<std::size_t>(size, 4),  // an empty buffer is not allowed
-                           .usage = Usage::eStorageBuffer | Usage::eTransferSrc | Usage::eTransferDst});
+      context.device, vk::BufferCreateInfo{.size = std::max<std::size_t>(size, 4),  // an empty buffer is not allowed
+                                           .usage = Usage::eStorageBuffer | Usage::eTransferSrc | Usage::eTransferDst});
   vk::raii::DeviceMemory memory = allocate(context, buffer.getMemoryRequirements(), memoryFor(use));
   buffer.bindMemory(*memory, 0);
-  auto* const bytes =
-      use == BufferUse::Device ? nullptr : static_cast<std::byte*>(memory.mapMemory(0, VK_WHOLE_SIZE));
+  auto* const bytes = use == BufferUse::Device ? nullptr : static_cast<std::byte*>(memory.mapMemory(0, VK_WHOLE_SIZE));
   return {std::move(memory), std::move(buffer), bytes};
 }
 
@@ -77,10 +75,10 @@ VulkanImage makeImage(const VulkanContext& context, vk::Format format, vk::Image
       allocate(context, image.getMemoryRequirements(), {vk::MemoryPropertyFlagBits::eDeviceLocal});
   image.bindMemory(*memory, 0);
   const auto view = [&](vk::ImageViewType type, std::uint32_t first, std::uint32_t count) {
-    return vk::raii::ImageView(context.device, vk::ImageViewCreateInfo{.image = *image,
-                                                                       .viewType = type,
-                                                                       .format = format,
-                                                                       .subresourceRange = {aspect, 0, 1, first, count}});
+    return vk::raii::ImageView(
+        context.device,
+        vk::ImageViewCreateInfo{
+            .image = *image, .viewType = type, .format = format, .subresourceRange = {aspect, 0, 1, first, count}});
   };
   std::vector<vk::raii::ImageView> each;
   for (std::uint32_t layer = 0; layer < layers; ++layer) each.push_back(view(vk::ImageViewType::e2D, layer, 1));

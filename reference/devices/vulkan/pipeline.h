@@ -17,9 +17,9 @@ DrawArrays uploadDrawList(const VulkanContext& context, const raster::DrawList& 
 
 struct VulkanPipeline {
   TargetFormats formats;
-  VulkanDescriptors descriptors;        ///< of the arrays
-  vk::raii::PipelineLayout layout;      ///< the arrays, and a ShaderView as push constants
-  vk::raii::Pipeline pipeline;          ///< the front face, the viewport and the scissor are set per view
+  VulkanDescriptors descriptors;    ///< of the arrays
+  vk::raii::PipelineLayout layout;  ///< the arrays, and a ShaderView as push constants
+  vk::raii::Pipeline pipeline;      ///< the front face, the viewport and the scissor are set per view
 };
 
 /// Throws InputError if the device has no targets of the depths or counts of the list.

@@ -87,8 +87,7 @@ TilePipeline makeTilePipeline(const VulkanContext& context, const raster::DrawLi
   if (facesWithPieces(corners / 3, context.physicalDevice.getProperties().limits.maxStorageBufferRange) < facesOfView)
     throw raster::InputError("the clipped triangles are larger than the buffers of the Vulkan device",
                              "use the device `vulkan`");
-  const VulkanDescriptors descriptors =
-      makeDescriptors(context, bindingTypes(), vk::ShaderStageFlagBits::eCompute);
+  const VulkanDescriptors descriptors = makeDescriptors(context, bindingTypes(), vk::ShaderStageFlagBits::eCompute);
   vk::raii::PipelineLayout layout = makePipelineLayout(
       context, descriptors, {.stageFlags = vk::ShaderStageFlagBits::eCompute, .size = sizeof(ShaderList)});
   vk::raii::Pipeline pieces = makeComputePipeline(context, layout, makePieces),
@@ -110,9 +109,9 @@ TileBuffers makeTileBuffers(const VulkanContext& context, const TilePipeline& pi
                       makeBuffer(context, pieces * bytesOfPiece, BufferUse::Device),
                       makeDescriptors(context, bindingTypes(), vk::ShaderStageFlagBits::eCompute)};
   std::uint32_t binding = 0;
-  for (const VulkanBuffer* buffer : std::initializer_list<const VulkanBuffer*>{
-           &arrays[0], &arrays[1], &arrays[2], &buffers.faces, &buffers.skipped, &buffers.counts, &buffers.boxes,
-           &buffers.pieces})
+  for (const VulkanBuffer* buffer :
+       std::initializer_list<const VulkanBuffer*>{&arrays[0], &arrays[1], &arrays[2], &buffers.faces, &buffers.skipped,
+                                                  &buffers.counts, &buffers.boxes, &buffers.pieces})
     bind(context, buffers.descriptors, binding++, *buffer);
   bind(context, buffers.descriptors, binding, ids, vk::DescriptorType::eStorageImage);
   return buffers;

@@ -171,19 +171,20 @@ void VulkanSums::makeRoom(Flight& flight, const Room& needed) {
   if (flight.place && flight.place->room.holds(needed)) return;
   flight.place.reset();
   const auto buffer = [&](std::size_t bytes, BufferUse use) { return makeBuffer(context_, bytes, use); };
-  flight.place.emplace(Place{
-      needed,
-      makeCanvas(drawing_, needed.size, needed.faces, needed.views),
-      buffer(needed.faces * sizeof(ShaderFace), BufferUse::Input),
-      buffer(needed.views * table_.count() * sizeof(std::uint64_t), BufferUse::Device),
-      buffer(needed.views * constants_.words * sizeof(std::uint32_t), BufferUse::Device),
-      buffer((needed.views + 1) * sizeof(ShaderList), BufferUse::Output),
-      buffer(needed.listed * sizeof(std::uint32_t), BufferUse::Output),
-      buffer(needed.listed * sizeof(std::uint64_t), BufferUse::Output)});
+  flight.place.emplace(Place{needed, makeCanvas(drawing_, needed.size, needed.faces, needed.views),
+                             buffer(needed.faces * sizeof(ShaderFace), BufferUse::Input),
+                             buffer(needed.views * table_.count() * sizeof(std::uint64_t), BufferUse::Device),
+                             buffer(needed.views * constants_.words * sizeof(std::uint32_t), BufferUse::Device),
+                             buffer((needed.views + 1) * sizeof(ShaderList), BufferUse::Output),
+                             buffer(needed.listed * sizeof(std::uint32_t), BufferUse::Output),
+                             buffer(needed.listed * sizeof(std::uint64_t), BufferUse::Output)});
   const Place& place = *flight.place;
   bind(context_, flight.descriptors, Ids, place.canvas.targets.colour, vk::DescriptorType::eSampledImage);
-  for (const auto& [binding, bound] : {std::pair{Faces, &place.faces}, {Sums, &place.sums}, {Touched, &place.touched},
-                                       {Lists, &place.lists}, {ListedSlots, &place.listedSlots},
+  for (const auto& [binding, bound] : {std::pair{Faces, &place.faces},
+                                       {Sums, &place.sums},
+                                       {Touched, &place.touched},
+                                       {Lists, &place.lists},
+                                       {ListedSlots, &place.listedSlots},
                                        {ListedSums, &place.listedSums}})
     bind(context_, flight.descriptors, binding, *bound);
 }

@@ -13,8 +13,7 @@ namespace hemitex::reference {
 
 /// The drawing must outlive the result. Null if a view has more slots than a buffer of the device. With `inHalves`
 /// sums are added as two words with a carry, as they are on devices that cannot add 64 bits in one step.
-std::unique_ptr<raster::PixelSums> makeVulkanSums(FaceDrawing& drawing,
-                                                  const std::function<raster::SlotTable()>& table,
+std::unique_ptr<raster::PixelSums> makeVulkanSums(FaceDrawing& drawing, const std::function<raster::SlotTable()>& table,
                                                   bool inHalves = false);
 
 }  // namespace hemitex::reference

@@ -131,7 +131,8 @@ TEST_CASE("Vulkan sums pixels to the slots of their item IDs, with additions of 
   for (const VulkanPath path : paths)
     for (const bool inHalves : {false, true}) {
       reference::FaceDrawing drawing = reference::makeFaceDrawing(vector.list, path, "");
-      const auto sums = reference::makeVulkanSums(drawing, [&] { return table; }, inHalves);
+      const auto sums = reference::makeVulkanSums(
+          drawing, [&] { return table; }, inHalves);
       std::vector<std::size_t> weights;
       for (const raster::ItemBuffer& buffer : buffers)
         weights.push_back(sums->addWeights(weightsBefore(buffer.ids.size())));
