@@ -9,14 +9,18 @@
 #include "cli/common/commands.h"
 #include "cli/common/program.h"
 #include "cli/common/staging.h"
-#include "cli/devices/renderers.h"
+#include "cli/common/table.h"
+#include "cli/devices/row_device.h"
 #include "cli/report/bench_report.h"
 #include "cli/report/embedded_files.h"
 #include "cli/report/html_page.h"
 #include "cli/scene/scene_options.h"
+#include "radiosity/discretization/discretize.h"
 #include "raster/base/file_io.h"
 #include "raster/base/input_error.h"
 #include "reference/measurement/bench/render_times.h"
+#include "reference/measurement/bench/row_rates.h"
+#include "reference/measurement/paper/scenes.h"
 
 namespace hemitex::cli {
 namespace {
@@ -25,6 +29,7 @@ struct BenchOptions {
   std::filesystem::path output;  ///< empty if no files are written
   std::vector<std::filesystem::path> scenes;
   std::vector<int> resolutions;
+  bool rows = false;
 };
 
 std::vector<reference::BenchScene> scenesOf(const BenchOptions& options) {
@@ -58,7 +63,50 @@ void writeFiles(const nlohmann::ordered_json& result, Staging& staging) {
   staging.commit();
 }
 
+/// The room and the gallery of the paper over its levels, or the given scenes as they are.
+std::vector<reference::PaperScene> rowScenes(const BenchOptions& options) {
+  std::vector<reference::PaperScene> scenes;
+  if (options.scenes.empty()) {
+    scenes = reference::paperScenes(sceneFolder());
+    scenes.resize(2);
+    return scenes;
+  }
+  for (reference::BenchScene& bench : scenesOf(options)) {
+    radiosity::Discretization discretization = radiosity::discretize(bench.scene, bench.elements);
+    radiosity::IdLayout layout = radiosity::layOut(discretization, bench.ids);
+    scenes.push_back({bench.name, std::move(bench.scene), {{"default", std::move(discretization), std::move(layout)}}});
+  }
+  return scenes;
+}
+
+/// Prints the rows per second by the processor and by the devices that may be trusted.
+void benchRows(const BenchOptions& options, Context& context) {
+  reference::RowRateSettings settings{.threads = std::max(1, context.threads)};
+  if (!options.resolutions.empty()) settings.resolutions = options.resolutions;
+  std::vector<reference::PaperDevice> devices;
+  for (const auto& [name, device] :
+       {std::pair{"vulkan", Device::Vulkan}, {"vulkan-compute", Device::VulkanCompute}, {"opengl", Device::OpenGl}})
+    try {
+      devices.push_back({name, rowRenderers({device}, context.console)});
+    } catch (const raster::InputError& error) {
+      context.console.message(std::string(name) + " is not measured: " + error.what());
+    }
+  const auto progress = [&](const std::string& what) { context.console.progress(0, what); };
+  const nlohmann::ordered_json rates =
+      listOf(reference::rowRates(rowScenes(options), devices, settings, progress),
+             [](const reference::RowRate& rate) -> nlohmann::ordered_json {
+               return {{"scene", rate.scene},           {"level", rate.level}, {"elements", rate.elements},
+                       {"resolution", rate.resolution}, {"rows", rate.what},   {"per_second", rate.rowsPerSecond}};
+             });
+  context.console.endProgress();
+  if (context.json)
+    std::cout << toText({{"rates", rates}});
+  else
+    writeMarkdown(std::cout, "Rows per second", rates);
+}
+
 void bench(const BenchOptions& options, Context& context) {
+  if (options.rows) return benchRows(options, context);
   Console& console = context.console;
   std::optional<Staging> staging;
   if (!options.output.empty())
@@ -94,7 +142,11 @@ void addBench(Command program, Context& context) {
   addResolutions(command, options->resolutions);
   command.addOutputFolder("-o,--output", options->output,
                           "write report.html, bench.json and tables.md into this folder (default: no files)");
-  command.addExamples({"data/cornell-box.obj --resolution 256", "-o bench"});
+  command
+      .addFlag("--rows", options->rows,
+               "print only how many rows a second threads and devices compute, over the levels of the paper")
+      .excludes(command.option("--output"));
+  command.addExamples({"data/cornell-box.obj --resolution 256", "-o bench", "--rows --threads 16"});
   command.onRead([options, &context] { context.command = [options, &context] { bench(*options, context); }; });
 }
 

@@ -4,17 +4,22 @@
 #include "raster/software/software_renderer.h"
 
 namespace hemitex::cli {
+namespace {
+
+bool isVulkan(Device device) { return device == Device::Vulkan || device == Device::VulkanCompute; }
+
+}  // namespace
 
 std::unique_ptr<raster::ItemBufferRenderer> makeRenderer(const raster::DrawList& list, Device device,
                                                          const std::string& name) {
   if (device == Device::Software) return std::make_unique<raster::SoftwareRenderer>(list);
-  if (device == Device::Vulkan) return makeVulkanRenderer(list, name);
+  if (isVulkan(device)) return makeVulkanRenderer(list, device, name);
   return makeOpenGlRenderer(list, device, name);
 }
 
 std::string deviceName(Device device, const std::string& name) {
   if (device == Device::Software) return "";
-  return device == Device::Vulkan ? vulkanDeviceName(name) : openGlDeviceName(name);
+  return isVulkan(device) ? vulkanDeviceName(name) : openGlDeviceName(name);
 }
 
 /// Tests the device with an empty draw list, because an OpenGL context is made only for a renderer.

@@ -12,7 +12,7 @@
 
 namespace hemitex::cli {
 
-enum class Device { Software, OpenGl, OpenGlFixedFunction, OpenGlPlain, Vulkan };
+enum class Device { Software, OpenGl, OpenGlFixedFunction, OpenGlPlain, Vulkan, VulkanCompute };
 
 /// A renderer of the draw list, on the first device whose name contains `name`. Throws InputError if the device does
 /// not exist or cannot draw the list.
@@ -31,7 +31,9 @@ std::function<std::unique_ptr<raster::ItemBufferRenderer>(const raster::DrawList
 std::unique_ptr<raster::ItemBufferRenderer> makeOpenGlRenderer(const raster::DrawList& list, Device device,
                                                                const std::string& name);
 std::string openGlDeviceName(const std::string& name);
-std::unique_ptr<raster::ItemBufferRenderer> makeVulkanRenderer(const raster::DrawList& list, const std::string& name);
+/// For the two devices of Vulkan.
+std::unique_ptr<raster::ItemBufferRenderer> makeVulkanRenderer(const raster::DrawList& list, Device device,
+                                                               const std::string& name);
 std::string vulkanDeviceName(const std::string& name);
 
 }  // namespace hemitex::cli

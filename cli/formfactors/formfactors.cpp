@@ -93,6 +93,7 @@ void addFormFactors(Command program, Context& context) {
       "compute form factors with this projection, with rays or with closed forms (analytic), which ignore blockers "
       "(default hemicube)");
   addDrawingOptions(command, options->drawing);
+  addRowDevice(command, options->device);
   addInteger(method, "--samples", options->rays.samples, 64, 1 << 28,
              "with --method rays, cast N rays per row; with --aimed, cast rays from N points (default 65536)");
   addSeed(method, options->rays.seed);
@@ -104,7 +105,7 @@ void addFormFactors(Command program, Context& context) {
   addIdOptions(command, options->id);
   addSceneOptions(command, options->scene);
   for (const char* chosen : {"--resolution", "--orientation", "--split", "--pixels-per-element", "--discretize",
-                             "--method", "--samples", "--texels", "--texel-size", "--surface"})
+                             "--method", "--samples", "--texels", "--texel-size", "--surface", "--device"})
     maxError.excludes(command.option(chosen));
   command.showFirst({"--from", "--by-surface", "--all", "--facets", "--smooth", "--method", "--resolution", "--samples",
                      "--texels", "--patch"});

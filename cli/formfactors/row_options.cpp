@@ -24,6 +24,8 @@ nlohmann::ordered_json methodSettings(const FormFactorOptions& options) {
   if (options.maxError) return {{"method", options.method}, {"max_error", *options.maxError}};
   nlohmann::ordered_json settings{{"method", options.method}};
   settings.update(toJson(options.drawing));
+  if (options.device.device != Device::Software)
+    settings["device"] = deviceName(options.device.device, options.device.name);
   return settings;
 }
 
@@ -34,8 +36,8 @@ RowMethod methodOf(const FormFactorOptions& options, const radiosity::Scene& sce
   if (options.maxError) return reference::facetMethod(scene, receivers, *options.maxError, context.ranks ? 1 : 256);
   if (options.method == "rays") return reference::rayMethod(scene, discretization, receivers, options.rays);
   if (options.method == "analytic") return reference::analyticMethod(scene, discretization, receivers);
-  return reference::drawnMethod(scene, discretization, receivers, layoutOf(options.id, discretization),
-                                options.drawing);
+  return reference::drawnMethod(scene, discretization, receivers, layoutOf(options.id, discretization), options.drawing,
+                                rowRenderers(options.device, context.console));
 }
 
 nlohmann::ordered_json settingsOf(const FormFactorOptions& options) {

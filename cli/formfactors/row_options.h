@@ -12,6 +12,7 @@
 #include "cli/common/console.h"
 #include "cli/common/program.h"
 #include "cli/common/table.h"
+#include "cli/devices/row_device.h"
 #include "cli/scene/scene_options.h"
 #include "reference/rows/scene_rows.h"
 
@@ -23,6 +24,7 @@ struct FormFactorOptions {
   radiosity::IdSettings id;
   std::string method = "hemicube";
   radiosity::DrawingSettings drawing;
+  RowDevice device;
   reference::RayOptions rays;
   std::string from;
   std::vector<std::string> at;  ///< points or files of points

@@ -315,8 +315,8 @@ Option addMethod(Command command, std::string& method, const std::vector<std::st
 }
 
 std::vector<std::string> drawingOptionNames() {
-  return {"--discretize", "--resolution", "--orientation", "--pixels-per-element", "--format", "--index-maps",
-          "--page",       "--blend",      "--no-align"};
+  return {"--discretize", "--resolution", "--orientation", "--pixels-per-element", "--format", "--index-maps", "--page",
+          "--blend",      "--no-align",   "--device",      "--device-name"};
 }
 
 void refuseUnused(Command command, const std::vector<std::string>& options, const std::string& method) {

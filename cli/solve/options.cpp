@@ -46,6 +46,7 @@ void addMethodOptions(Command command, SolveOptions& options) {
       "compute form factors with this projection or with rays (default hemicube). The result of rays differs between "
       "machines in the last digits.");
   addDrawingOptions(command, options.drawing);
+  addRowDevice(command, options.device);
   addSamples(command, options.samples);
   addSeed(command, options.seed);
 }
@@ -100,7 +101,7 @@ void addFacetOptions(Command command, SolveOptions& options) {
                                      "--all` or another program computed for the same mesh (default: compute them)",
                                      "FILE");
   for (const char* other : {"--no-facets", "--texels", "--texel-size", "--surface", "--adaptive", "--method",
-                            "--resolution", "--orientation", "--split"})
+                            "--resolution", "--orientation", "--split", "--device"})
     matrix.excludes(command.option(other));
 }
 
@@ -253,7 +254,7 @@ void completeOptions(Command command, SolveOptions& options) {
   if (options.adaptive && !options.discretization.texelSize)
     options.discretization.texels = options.discretization.texels.value_or(16);
   completeFacets(options);
-  if (boundsRows(options)) refuseUnused(command, {"--resolution", "--split"}, "hemicube --max-error for facets");
+  if (boundsRows(options)) refuseUnused(command, {"--resolution", "--split", "--device"}, "hemicube --max-error for facets");
   if (boundsLight(options)) {
     if (command.isGiven("--resolution")) options.coarsest.resolution = options.drawing.resolution;
     if (command.isGiven("--split")) options.coarsest.split = options.drawing.split;

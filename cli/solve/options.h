@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "cli/devices/row_device.h"
 #include "cli/scene/camera_options.h"
 #include "cli/scene/scene_options.h"
 #include "cli/solve/checkpoint.h"
@@ -23,6 +24,8 @@ struct SolveOptions {
   radiosity::DiscretizationSettings discretization;
   std::optional<double> adaptive;
   radiosity::DrawingSettings drawing;
+  RowDevice device;
+  RendererMaker makeRenderer = radiosity::softwareRenderer;  ///< of the device
   std::string method = "hemicube";
   int samples = 1 << 16;
   std::uint32_t seed = 0;

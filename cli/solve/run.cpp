@@ -71,6 +71,7 @@ void requireMemoryOfRun(const radiosity::Scene& scene, const SolveOptions& optio
 radiosity::LightHooks hooksOf(const SolveOptions& options, const reference::RowErrors& errors) {
   return {.layOut = [ids = options.id](
                         const radiosity::Discretization& discretization) { return layoutOf(ids, discretization); },
+          .makeRenderer = options.makeRenderer,
           .rows = rowsOf(options, errors)};
 }
 

@@ -224,6 +224,8 @@ ordered_json solutionSettings(const SolveOptions& options) {
                    {"shots", orNull(options.solver.shots)}});
   if (options.maxError) settings.update(besideBound(options));
   if (!options.bands.empty()) settings["bands"] = reference::sha256OfFile(options.bands);
+  if (options.device.device != Device::Software)
+    settings["device"] = deviceName(options.device.device, options.device.name);
   if (!options.matrix.empty()) settings["matrix"] = reference::sha256OfFile(options.matrix);
   return settings;
 }

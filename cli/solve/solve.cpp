@@ -228,6 +228,7 @@ void solve(SolveOptions asked, Context& context) {
   std::vector<std::string> warnings;
   asked = withStatedUnit(std::move(asked), warnings);
   console.warnings(warnings);
+  asked.makeRenderer = rowRenderers(asked.device, console);
   if (!context.isWriter()) return computeForRankZero(asked, console);
   if (asked.isContinued) asked.discretization.isUnburied = true;
   Laps laps;

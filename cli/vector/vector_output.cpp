@@ -56,7 +56,8 @@ void addDevice(Command command, Device& device, std::string& name) {
                          {"opengl", Device::OpenGl},
                          {"opengl-fixed-function", Device::OpenGlFixedFunction},
                          {"opengl-plain", Device::OpenGlPlain},
-                         {"vulkan", Device::Vulkan}},
+                         {"vulkan", Device::Vulkan},
+                         {"vulkan-compute", Device::VulkanCompute}},
                         "draw with this renderer; software follows the raster rules exactly (default software)");
   command.addText("--device-name", "NAME", "draw with the first device whose name contains this", name).needs(option);
 }

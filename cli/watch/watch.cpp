@@ -263,7 +263,9 @@ void requireUpdatable(Command command) {
 void watch(const WatchOptions& options, Context& context) {
   const LongRun untilSignal;
   std::vector<std::string> warnings;
-  WatchedSolution solution(withStatedUnit(options.solve, warnings), context.inputs(), context.console);
+  SolveOptions asked = withStatedUnit(options.solve, warnings);
+  asked.makeRenderer = rowRenderers(asked.device, context.console);
+  WatchedSolution solution(asked, context.inputs(), context.console);
   context.console.warnings(warnings);
   const Round first = solution.follow();
   if (isStopping()) return;

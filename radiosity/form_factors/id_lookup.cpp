@@ -123,6 +123,17 @@ void IdLookup::find(std::span<const raster::ItemId> ids, std::uint32_t* slots) c
   for (const raster::ItemId id : ids) *slots++ = cursor.slotOf(id);
 }
 
+raster::SlotTable IdLookup::table() const {
+  raster::SlotTable table{bits_, backId_, back_};
+  for (const Block& block : blocks_) {
+    table.blocks.push_back({block.count, block.first});
+    if (block.slots == nullptr) continue;
+    table.blocks.back().table = static_cast<std::uint32_t>(table.slots.size());
+    table.slots.insert(table.slots.end(), block.slots, block.slots + block.count);
+  }
+  return table;
+}
+
 std::size_t IdLookup::bytes() const {
   std::size_t bytes = blocks_.capacity() * sizeof(Block);
   for (const std::vector<std::uint32_t>& table : tables_) bytes += table.capacity() * sizeof(std::uint32_t);

@@ -11,6 +11,7 @@
 #include "radiosity/discretization/discretization.h"
 #include "radiosity/index_maps/id_layout.h"
 #include "raster/interface/item_id.h"
+#include "raster/interface/pixel_sums.h"
 
 namespace hemitex::radiosity {
 
@@ -26,6 +27,8 @@ class IdLookup {
   /// Writes the slot of each item ID: that of elementOf(id), or the background's if no element has the item ID. Many
   /// item IDs at once are faster, because the cache misses of their tables overlap.
   void find(std::span<const raster::ItemId> ids, std::uint32_t* slots) const;
+  /// The same rules as plain arrays.
+  raster::SlotTable table() const;
 
   /// Memory in addition to the discretization and the layout.
   std::size_t bytes() const;

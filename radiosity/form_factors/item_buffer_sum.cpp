@@ -175,6 +175,11 @@ FormFactorRow ItemBufferSum::rowOf(const Projection& projection,
                                    const std::function<void(const AddWindow& add)>& draw) {
   draw([&](const Window& window, const raster::ItemBuffer& buffer) { add(projection, window, buffer); });
   FormFactorRow row = movedRow(sums_.values());
+  return rowOf({std::move(row.elements), std::move(row.shares)});
+}
+
+FormFactorRow ItemBufferSum::rowOf(raster::SlotSums sums) const {
+  FormFactorRow row{std::move(sums.slots), std::move(sums.sums)};
   row.background = takeLast(row, slots_.background());
   row.back = takeLast(row, slots_.back());
   return row;

@@ -37,6 +37,10 @@ class ItemBufferSum {
   FormFactorRow rowOf(const Projection& projection, std::span<const Window> windows,
                       std::span<const raster::ItemBuffer> buffers);
 
+  /// The row of sums by the slots of `table`.
+  FormFactorRow rowOf(raster::SlotSums sums) const;
+  raster::SlotTable table() const { return slots_.table(); }
+
   /// Memory in addition to the discretization and the layout.
   std::size_t bytes() const;
 

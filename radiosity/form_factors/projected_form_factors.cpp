@@ -71,13 +71,25 @@ ProjectedFormFactors::ProjectedFormFactors(const Scene& scene, const Discretizat
       renderer_(renderer),
       settings_(settings),
       boxes_(triangleBoxes(scene)),
-      counter_(discretization, layout) {}
+      counter_(discretization, layout) {
+  if (isSumOfWindows()) sums_ = renderer.makeSums([this] { return counter_.table(); });
+}
 
 const Projection& ProjectedFormFactors::projectionAfter(int halvings) {
   const int halved = settings_.resolution >> halvings;
   const int resolution = std::min(settings_.resolution, std::max(smallestResolution, halved + halved % 2));
   if (const auto known = projections_.find(resolution); known != projections_.end()) return known->second;
-  return projections_.emplace(resolution, projectionOf(settings_.projection, resolution)).first->second;
+  const auto made = projections_.emplace(resolution, projectionOf(settings_.projection, resolution)).first;
+  if (sums_) weights_[&made->second] = addWeights(made->second);
+  return made->second;
+}
+
+std::vector<std::size_t> ProjectedFormFactors::addWeights(const Projection& projection) {
+  std::vector<std::size_t> tables, ofFaces;
+  for (const std::vector<std::uint64_t>& before : projection.sharesBefore) tables.push_back(sums_->addWeights(before));
+  if (std::count(tables.begin(), tables.end(), raster::PixelSums::none) > 0) return {};
+  for (const ProjectionFace& face : projection.faces) ofFaces.push_back(tables[face.shares]);
+  return ofFaces;
 }
 
 View ProjectedFormFactors::viewFrom(const ViewPoint& from) {
@@ -108,7 +120,32 @@ std::vector<View> ProjectedFormFactors::viewsOfPatch(const Patch& patch) {
   return views;
 }
 
-FormFactorRow ProjectedFormFactors::ofView(const View& view) {
+FormFactorRow ProjectedFormFactors::ofView(const View& view) { return std::move(ofViews({&view, 1}).front()); }
+
+/// Views of projections without weights, such as those of lamps, are drawn and summed here.
+std::vector<FormFactorRow> ProjectedFormFactors::ofViews(std::span<const View> views) {
+  std::vector<FormFactorRow> rows(views.size());
+  std::vector<std::size_t> places;
+  std::vector<raster::SummedView> summed;
+  for (std::size_t v = 0; v < views.size(); ++v) {
+    const auto weights = weights_.find(views[v].projection);
+    if (weights == weights_.end() || weights->second.empty()) {
+      rows[v] = drawnRow(views[v]);
+    } else {
+      places.push_back(v);
+      summed.push_back({views[v].faces, weights->second, views[v].skipped});
+    }
+  }
+  if (summed.empty()) return rows;
+  std::vector<raster::SlotSums> sums = sums_->sum(summed);
+  for (std::size_t s = 0; s < sums.size(); ++s) {
+    rows[places[s]] = counter_.rowOf(std::move(sums[s]));
+    rows[places[s]].background += wholeShare - views[places[s]].projection->captured;
+  }
+  return rows;
+}
+
+FormFactorRow ProjectedFormFactors::drawnRow(const View& view) {
   FormFactorRow row = ofWindows(view, wholeFaces(*view.projection));
   if (settings_.pixelsPerElement > 0) {
     const std::vector<std::uint32_t> pixels = pixelsOf(row, discretization_, layout_, *view.projection, buffers_);
@@ -154,10 +191,22 @@ FormFactorRow ProjectedFormFactors::ofLamp(const Lamp& lamp, std::uint32_t numbe
 }
 
 FormFactorRow ProjectedFormFactors::ofPoints(std::span<const ViewPoint> points) {
-  if (points.size() == 1) return ofView(viewFrom(points.front()));
-  std::vector<WeightedRow> rows;
-  for (const ViewPoint& point : points) rows.push_back({ofView(viewFrom(point)), point.area});
-  return meanOf(rows);
+  const std::vector<ViewPoint> all(points.begin(), points.end());
+  return std::move(ofManyPoints({&all, 1}).front());
+}
+
+std::vector<FormFactorRow> ProjectedFormFactors::ofManyPoints(std::span<const std::vector<ViewPoint>> points) {
+  std::vector<View> views;
+  for (const std::vector<ViewPoint>& ofRow : points)
+    for (const ViewPoint& point : ofRow) views.push_back(viewFrom(point));
+  std::vector<FormFactorRow> rows, ofViews = this->ofViews(views);
+  auto next = ofViews.begin();
+  for (const std::vector<ViewPoint>& ofRow : points) {
+    std::vector<WeightedRow> weighted;
+    for (const ViewPoint& point : ofRow) weighted.push_back({std::move(*next++), point.area});
+    rows.push_back(weighted.size() == 1 ? std::move(weighted.front().row) : meanOf(weighted));
+  }
+  return rows;
 }
 
 }  // namespace hemitex::radiosity

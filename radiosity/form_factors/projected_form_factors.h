@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -69,6 +70,8 @@ class ProjectedFormFactors {
   FormFactorRow ofLamp(const Lamp& lamp, std::uint32_t number);
   /// The row from a point, or the mean over several points.
   FormFactorRow ofPoints(std::span<const ViewPoint> points);
+  /// Such rows. A renderer that sums pixels draws all their views at once.
+  std::vector<FormFactorRow> ofManyPoints(std::span<const std::vector<ViewPoint>> points);
 
   /// The points for the row of a patch: its centre, or each of its points. Patches that shoot little light use a
   /// coarser projection. The resolution is halved as often as the patch says.
@@ -84,9 +87,14 @@ class ProjectedFormFactors {
 
   /// Whether the row of a view is the sum of its windows. It is not with coarser maps, whose level is chosen per view.
   bool isSumOfWindows() const { return settings_.pixelsPerElement == 0; }
+  /// Whether many views at once take less time (see raster::PixelSums).
+  bool areFasterTogether() const { return sums_ != nullptr; }
 
  private:
   const Projection& projectionAfter(int halvings);
+  std::vector<FormFactorRow> ofViews(std::span<const View> views);
+  FormFactorRow drawnRow(const View& view);
+  std::vector<std::size_t> addWeights(const Projection& projection);
 
   const Scene& scene_;
   const Discretization& discretization_;
@@ -96,6 +104,9 @@ class ProjectedFormFactors {
   TriangleBoxes boxes_;
   std::map<int, Projection> projections_;  ///< by resolution, made on demand
   ItemBufferSum counter_;
+  std::unique_ptr<raster::PixelSums> sums_;  ///< of the renderer; null if pixels are summed here
+  /// The tables of each face of a projection in `sums_`; none if there is no room for them.
+  std::map<const Projection*, std::vector<std::size_t>> weights_;
   std::vector<raster::ItemBuffer> buffers_;  ///< of the last view; the allocations are reused
 };
 

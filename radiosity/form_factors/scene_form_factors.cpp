@@ -58,9 +58,15 @@ SceneFormFactors::SceneFormFactors(const Scene& scene, const Discretization& dis
   near_.emplace(scene, discretization_, layout_, byTexture);
 }
 
-FormFactorRow SceneFormFactors::row(const Patch& patch) {
-  FormFactorRow drawn = rows_.ofPatch(patch);
-  return corrected(patch, drawn).value_or(std::move(drawn));
+FormFactorRow SceneFormFactors::row(const Patch& patch) { return std::move(rows({&patch, 1}).front()); }
+
+std::vector<FormFactorRow> SceneFormFactors::rows(std::span<const Patch> patches) {
+  std::vector<std::vector<ViewPoint>> points;
+  for (const Patch& patch : patches) points.push_back(rows_.pointsOfPatch(patch));
+  std::vector<FormFactorRow> rows = rows_.ofManyPoints(points);
+  for (std::size_t p = 0; p < patches.size(); ++p)
+    if (auto better = corrected(patches[p], rows[p])) rows[p] = *std::move(better);
+  return rows;
 }
 
 RowSource SceneFormFactors::rowOf() {

@@ -5,6 +5,8 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
+#include <vector>
 
 #include "radiosity/discretization/discretization.h"
 #include "radiosity/form_factors/form_factor_row.h"
@@ -61,6 +63,8 @@ class SceneFormFactors {
 
   /// The row of a patch: drawn from its points, and corrected.
   FormFactorRow row(const Patch& patch);
+  /// The rows of patches, drawn together.
+  std::vector<FormFactorRow> rows(std::span<const Patch> patches);
   /// As `row`. Keeps a reference to this object.
   RowSource rowOf();
   /// A row that was drawn for a patch, with the shares of small elements near it replaced (see NearReceivers); nothing

@@ -7,6 +7,7 @@
 
 #include "radiosity/base/bytes.h"
 #include "radiosity/discretization/adaptive_subdivision.h"
+#include "radiosity/light/rows_together.h"
 #include "radiosity/ranks/shared_tasks.h"
 #include "raster/base/input_error.h"
 
@@ -82,6 +83,11 @@ class Solutions {
                    .split = drawn.splits(),
                    .captured = formFactor(drawn.uncorrected().projection().captured)};
     if (settings.isContinued) rows.rowOf = [&](const Patch& patch) { return rowByViews(drawn, ofViews, patch); };
+    RowsTogether together(drawn);
+    if (!settings.isContinued && drawn.uncorrected().areFasterTogether()) {
+      rows.rowOf = [&](const Patch& patch) { return together.row(patch); };
+      rows.prepare = [&](const Step& step) { together.lookAhead(step); };
+    }
     if (hooks_.rows) rows = hooks_.rows(std::move(rows), scene_, result_.discretization);
     std::optional<RowsAhead> ahead;
     if (sharesRows()) {

@@ -5,10 +5,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <span>
 #include <vector>
 
 #include "raster/interface/face.h"
+#include "raster/interface/pixel_sums.h"
 
 namespace hemitex::raster {
 
@@ -24,6 +26,9 @@ class ItemBufferRenderer {
   /// calls it at once, so that the caller finds the buffer in the cache; calls may come from several threads at a time.
   virtual void draw(std::span<const Face> faces, std::span<const std::uint32_t> skipped,
                     std::vector<ItemBuffer>& buffers, const std::function<void(std::size_t)>& drawn) = 0;
+
+  /// Sums pixels to the slots of a table where they are drawn; null if this renderer cannot. Must not outlive it.
+  virtual std::unique_ptr<PixelSums> makeSums(const std::function<SlotTable()>& /*table*/) { return nullptr; }
 };
 
 /// Draws the faces and returns when all buffers are complete.

@@ -11,39 +11,20 @@ layout(location = 10) flat in uint number;
 layout(location = 0) out uint id;
 layout(location = 1) out float passed;  // where pixels hold counts, a blend unit adds it
 
-uint clampedAdd(uint a, uint b) {
-  uint sum = 0;
-  int low = 0;
-  for (uint ends = channelEnds; ends != 0; ends &= ends - 1) {
-    int bits = findLSB(ends) + 1 - low;
-    uint largest = bitfieldExtract(~0u, low, bits);
-    uint y = bitfieldExtract(b, low, bits);
-    sum |= y + min(bitfieldExtract(a, low, bits), largest - y) << low;
-    low += bits;
-  }
-  return sum;
-}
-
-uint blended(uint offset, uint texel) {
-  if (blend == 0) return clampedAdd(offset, texel);
-  if (blend == 1) return offset + texel & ~0u >> 31 - findMSB(channelEnds);
-  return texel;
-}
-
 void main() {
-  dvec3 p = dvec3(256 * (gl_FragCoord.xy + scissor) - 128 * size, 1);
+  dvec3 p = dvec3(256 * (gl_FragCoord.xy + view.scissor) - 128 * view.size, 1);
   // In a scene the depth is w itself, scaled below 1 by a power of two. It is often a binary32 number where 1/w is not.
-  gl_FragDepth = depthScale == 0 ? float(volume / dot(one, p)) * 5.421010862427522e-20  // 2^-64
-                                 : float(clamp(depthScale * (dot(depth, p) / volume) + depthOffset, 0, 1));
+  gl_FragDepth = view.depthScale == 0 ? float(volume / dot(one, p)) * 5.421010862427522e-20  // 2^-64
+                                 : float(clamp(view.depthScale * (dot(depth, p) / volume) + view.depthOffset, 0, 1));
   passed = 1;
   Draw drawn = draws[draw];
   if (drawn.cull == (gl_FrontFacing ? 1 : 2)) discard;
   bool isBack = drawn.hasBack != 0 && !gl_FrontFacing;
-  id = isBack ? drawn.back : value == 0 ? drawn.offset : number;
+  id = isBack ? drawn.back : view.value == 0 ? drawn.offset : number;
   if (drawn.width == 0) return;
   dvec2 position = dvec2(dot(column, p), dot(row, p)) / dot(one, p);
   uvec2 texel = uvec2(clamp(floor(position), dvec2(0), dvec2(drawn.width, drawn.height) - 1));
   uint index = texels[drawn.firstTexel + texel.y * uint(drawn.width) + texel.x];
   if (index == ~0u) discard;  // a hole
-  if (!isBack && value == 0) id = blended(drawn.offset, index);
+  if (!isBack && view.value == 0) id = blended(drawn.offset, index);
 }

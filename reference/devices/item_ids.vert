@@ -11,59 +11,8 @@ layout(location = 8) flat out double volume;
 layout(location = 9) flat out uint draw;
 layout(location = 10) flat out uint number;  // of the triangle: its value if pixels hold no item IDs
 
-struct Vertex {
-  dvec3 view;      // x, y, w
-  dvec3 texcoord;  // u, v and z
-};
-
-// docs/item-buffers.md, "view": in binary32, and `precise`, so that nothing is fused or reordered.
-vec3 toView(Corner corner) {
-  precise vec3 d = vec3(corner.x, corner.y, corner.z) - eye;
-  precise vec3 view = (vec3(x.x, y.x, w.x) * d.x + vec3(x.y, y.y, w.y) * d.y) + vec3(x.z, y.z, w.z) * d.z;
-  return view;
-}
-
-bool isFinite(vec3 v) { return !any(isnan(v)) && !any(isinf(v)); }
-
-// docs/item-buffers.md, "clip": how far a vertex is inside the near plane (0), or a plane of z (1 and 2).
-double distanceTo(int plane, Vertex v) {
-  precise double z = v.texcoord.z, w = v.view.z;
-  if (plane == 0) return w - near;
-  if (plane == 2) return w - z;
-  return clipDepth == 1 ? z : w + z;
-}
-
-// Where the edge from a vertex inside of a plane to one outside crosses it.
-Vertex crossing(int plane, Vertex inside, Vertex outside) {
-  precise double a = distanceTo(plane, inside);
-  precise double t = a / (a - distanceTo(plane, outside));
-  precise dvec3 view = inside.view + t * (outside.view - inside.view);
-  precise dvec3 texcoord = inside.texcoord + t * (outside.texcoord - inside.texcoord);
-  return Vertex(dvec3(view.xy, plane == 0 ? near : max(view.z, near)), texcoord);
-}
-
-// Each plane adds at most one vertex.
-const int maxVertices = 6;
-
-// Clips a polygon at the plane. Returns its number of vertices.
-int clip(int plane, int count, inout Vertex polygon[maxVertices]) {
-  Vertex whole[maxVertices] = polygon;
-  int kept = 0;
-  for (int k = 0; k < count; ++k) {
-    Vertex from = whole[k], to = whole[(k + 1) % count];
-    bool fromInside = distanceTo(plane, from) >= 0, toInside = distanceTo(plane, to) >= 0;
-    if (fromInside && kept < maxVertices) polygon[kept++] = from;
-    if (fromInside != toInside && kept < maxVertices)
-      polygon[kept++] = fromInside ? crossing(plane, from, to) : crossing(plane, to, from);
-  }
-  return kept;
-}
-
-// docs/item-buffers.md, "snap". Lengths across are in sub-pixels from here on, with 0 in the middle of the picture.
-dvec3 snap(dvec3 view) {
-  dvec2 unit = 128 * size;
-  return dvec3((roundEven((view.xy / view.z + 1) * unit) - unit + sampleOffset) * view.z, view.z);
-}
+// A snapped corner; its lengths across are in sub-pixels, with 0 in the middle of the picture.
+dvec3 snap(dvec3 seen) { return dvec3(snapped(seen.xy / seen.z) * seen.z, seen.z); }
 
 // Let v_k be the corners of a triangle. Its point seen at p = (x/w, y/w, 1) is w p = sum(b_k v_k). Let c_k be the cross
 // product of the two other corners and D = v_0 . c_0. Then b_k = w (c_k . p) / D, and since the b_k sum to one,
@@ -82,7 +31,7 @@ void setPlanes(dvec3 v[3], dvec3 texcoord[3], dvec2 texels) {
 }
 
 void main() {
-  int fans = clipDepth == 0 ? 2 : 4;
+  int fans = view.clipDepth == 0 ? 2 : 4;
   int triangle = vertexNumber / (3 * fans), fan = vertexNumber / 3 % fans, k = vertexNumber % 3;
   draw = corners[3 * triangle].draw;
   number = corners[3 * triangle].number;
@@ -93,17 +42,17 @@ void main() {
   Vertex polygon[maxVertices];
   for (int j = 0; j < 3; ++j) {
     Corner corner = corners[3 * triangle + j];
-    vec3 view = toView(corner), texcoord = vec3(corner.u, corner.v, corner.clipZ);
-    if (!isFinite(view) || !isFinite(texcoord)) return;
-    polygon[j] = Vertex(view, texcoord);
+    vec3 seen = toView(corner), texcoord = vec3(corner.u, corner.v, corner.clipZ);
+    if (!isFinite(seen) || !isFinite(texcoord)) return;
+    polygon[j] = Vertex(seen, texcoord);
   }
   int count = 3;
-  for (int plane = 0; plane < (clipDepth == 0 ? 1 : 3); ++plane) count = clip(plane, count, polygon);
+  for (int plane = 0; plane < (view.clipDepth == 0 ? 1 : 3); ++plane) count = clip(plane, count, polygon);
   if (fan + 2 >= count) return;
   Vertex part[3] = Vertex[3](polygon[0], polygon[fan + 1], polygon[fan + 2]);
-  dvec3 v[3] = dvec3[3](snap(part[0].view), snap(part[1].view), snap(part[2].view));
+  dvec3 v[3] = dvec3[3](snap(part[0].seen), snap(part[1].seen), snap(part[2].seen));
   setPlanes(v, dvec3[3](part[0].texcoord, part[1].texcoord, part[2].texcoord),
             dvec2(draws[draw].width, draws[draw].height));
   // z/w is near/w, which is at most 1: the device finds nothing to clip at the near plane.
-  gl_Position = vec4(v[k].xy / (128 * viewport), near, v[k].z);
+  gl_Position = vec4(v[k].xy / (128 * view.viewport), view.near, v[k].z);
 }

@@ -1,4 +1,4 @@
-// The inputs of both shaders: the twins of shader_inputs.h. Stands in front of the text of each shader.
+// The inputs of all shaders that draw: the twins of shader_inputs.h. Stands in front of the text of each.
 #version 450
 
 struct Corner {
@@ -22,13 +22,7 @@ layout(std430, binding = 0) readonly buffer Corners { Corner corners[]; };
 layout(std430, binding = 1) readonly buffer Draws { Draw draws[]; };
 layout(std430, binding = 2) readonly buffer Texels { uint texels[]; };
 
-#ifdef VULKAN
-#define vertexNumber gl_VertexIndex
-layout(push_constant) uniform View {
-#else
-#define vertexNumber gl_VertexID
-layout(std140, binding = 0) uniform View {
-#endif
+struct View {
   vec3 eye;
   float near;
   vec3 x;

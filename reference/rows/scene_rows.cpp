@@ -77,14 +77,16 @@ SparseRow meanRow(const radiosity::Scene& scene, const radiosity::Discretization
     addRow(mean, drawn.uncorrected().from(source.surfaces.front(), centre), receivers, 1.0);
     return sumOf(std::move(mean), false);
   }
-  std::vector<std::uint32_t> patches;
+  std::vector<radiosity::Patch> patches;
   for (const std::uint32_t surface : source.surfaces)
-    patches.insert(patches.end(), ofSurfaces[surface].begin(), ofSurfaces[surface].end());
+    for (const std::uint32_t patch : ofSurfaces[surface]) patches.push_back(discretization.patches.list[patch]);
   double area = 0;
-  for (const std::uint32_t patch : patches) area += discretization.patches.list[patch].area;
-  for (const std::uint32_t number : patches) {
-    const radiosity::Patch& patch = discretization.patches.list[number];
-    addRow(mean, drawn.row(patch), receivers, patch.area / area);
+  for (const radiosity::Patch& patch : patches) area += patch.area;
+  constexpr std::size_t rowsAtOnce = 64;
+  for (std::size_t first = 0; first < patches.size(); first += rowsAtOnce) {
+    const auto some = std::span(patches).subspan(first, std::min(rowsAtOnce, patches.size() - first));
+    const std::vector<radiosity::FormFactorRow> rows = drawn.rows(some);
+    for (std::size_t r = 0; r < some.size(); ++r) addRow(mean, rows[r], receivers, some[r].area / area);
   }
   return sumOf(std::move(mean), false);
 }

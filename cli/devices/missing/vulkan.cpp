@@ -3,7 +3,8 @@
 
 namespace hemitex::cli {
 
-std::unique_ptr<raster::ItemBufferRenderer> makeVulkanRenderer(const raster::DrawList&, const std::string& name) {
+std::unique_ptr<raster::ItemBufferRenderer> makeVulkanRenderer(const raster::DrawList&, Device,
+                                                               const std::string& name) {
   vulkanDeviceName(name);
   return nullptr;
 }

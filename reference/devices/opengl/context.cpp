@@ -45,7 +45,8 @@ std::unique_ptr<OpenGlContext> OpenGlContext::create(const std::string& name) {
 
 std::string OpenGlContext::name() const {
   const Use use(*this);
-  return reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+  const auto text = [](GLenum name) { return std::string(reinterpret_cast<const char*>(glGetString(name))); };
+  return text(GL_RENDERER) + ", " + text(GL_VERSION);
 }
 
 OpenGlContext::~OpenGlContext() {

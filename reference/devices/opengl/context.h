@@ -21,7 +21,7 @@ class OpenGlContext {
   OpenGlContext(const OpenGlContext&) = delete;
   OpenGlContext& operator=(const OpenGlContext&) = delete;
 
-  /// The renderer of the device, as its driver names it.
+  /// The renderer of the device, as its driver names it, and the version of the driver.
   std::string name() const;
 
   /// Makes the context current on this thread during its lifetime; the context must outlive it.

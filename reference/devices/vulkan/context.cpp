@@ -34,28 +34,43 @@ bool isSuitable(const vk::raii::PhysicalDevice& device) {
          (depth.optimalTilingFeatures & vk::FormatFeatureFlagBits::eDepthStencilAttachment);
 }
 
+bool addsInt64(const vk::raii::PhysicalDevice& device) {
+  const auto features = device.getFeatures2<vk::PhysicalDeviceFeatures2, vk::PhysicalDeviceVulkan12Features>();
+  return features.get<vk::PhysicalDeviceFeatures2>().features.shaderInt64 &&
+         features.get<vk::PhysicalDeviceVulkan12Features>().shaderBufferInt64Atomics;
+}
+
 vk::raii::Device makeDevice(const vk::raii::PhysicalDevice& physicalDevice, std::uint32_t queueFamily) {
   const float priority = 1;
   const auto queue = vk::DeviceQueueCreateInfo{.queueFamilyIndex = queueFamily}.setQueuePriorities(priority);
-  const vk::PhysicalDeviceFeatures features{.shaderFloat64 = true};
-  const vk::PhysicalDeviceVulkan13Features features13{.synchronization2 = true, .dynamicRendering = true};
+  const bool int64 = addsInt64(physicalDevice);
+  const vk::PhysicalDeviceFeatures features{.shaderFloat64 = true, .shaderInt64 = int64};
+  vk::PhysicalDeviceVulkan12Features features12{.shaderBufferInt64Atomics = int64};
+  const vk::PhysicalDeviceVulkan13Features features13{
+      .pNext = &features12, .synchronization2 = true, .dynamicRendering = true};
   const vk::DeviceCreateInfo info{.pNext = &features13, .pEnabledFeatures = &features};
   return {physicalDevice, vk::DeviceCreateInfo(info).setQueueCreateInfos(queue)};
 }
 
 }  // namespace
 
-std::string nameOf(const VulkanContext& context) { return context.physicalDevice.getProperties().deviceName; }
+std::string nameOf(const vk::raii::PhysicalDevice& device) {
+  const auto properties = device.getProperties2<vk::PhysicalDeviceProperties2, vk::PhysicalDeviceDriverProperties>();
+  const auto& driver = properties.get<vk::PhysicalDeviceDriverProperties>();
+  return std::string(properties.get<vk::PhysicalDeviceProperties2>().properties.deviceName.data()) + ", " +
+         driver.driverName.data() + " " + driver.driverInfo.data();
+}
 
 VulkanContext openVulkanDevice(const std::string& name) try {
   std::string others;
   for (vk::raii::PhysicalDevice& candidate : vk::raii::PhysicalDevices(instance())) {
-    const std::string found = candidate.getProperties().deviceName;
+    const std::string found = nameOf(candidate);
     if (isSuitable(candidate) && found.find(name) != std::string::npos) {
       const std::uint32_t family = *graphicsFamily(candidate);
       vk::raii::Device device = makeDevice(candidate, family);
       vk::raii::Queue queue(device, family, 0);
-      return {std::move(candidate), family, std::move(device), std::move(queue)};
+      const bool int64 = addsInt64(candidate);
+      return {std::move(candidate), family, std::move(device), std::move(queue), int64};
     }
     others += (others.empty() ? "; there is " : ", ") + found;
   }

@@ -13,6 +13,7 @@ struct VulkanContext {
   std::uint32_t queueFamily;
   vk::raii::Device device;
   vk::raii::Queue queue;
+  bool addsInt64;  ///< whether shaders add integers of 64 bits to buffers in one step
 };
 
 /// Opens the first device whose name contains `name`. Requires Vulkan 1.3, double precision in shaders, and 8 bits of
@@ -20,6 +21,7 @@ struct VulkanContext {
 /// with the names of the others, or if the loader or a driver fails, with its message.
 VulkanContext openVulkanDevice(const std::string& name = "");
 
-std::string nameOf(const VulkanContext& context);
+/// The name of a device, and those of its driver and of the version of it.
+std::string nameOf(const vk::raii::PhysicalDevice& device);
 
 }  // namespace hemitex::reference

@@ -8,13 +8,28 @@
 namespace hemitex::reference {
 namespace {
 
-/// Memory with the first of `choices` that the device has.
+/// Memory with the first of `choices` that the device has, and has room for.
 vk::raii::DeviceMemory allocate(const VulkanContext& context, const vk::MemoryRequirements& requirements,
                                 std::initializer_list<vk::MemoryPropertyFlags> choices) {
   const vk::PhysicalDeviceMemoryProperties memory = context.physicalDevice.getMemoryProperties();
-  if (const auto type = memoryType(memory, requirements.memoryTypeBits, choices))
-    return {context.device, vk::MemoryAllocateInfo{.allocationSize = requirements.size, .memoryTypeIndex = *type}};
+  for (const vk::MemoryPropertyFlags choice : choices)
+    if (const auto type = memoryType(memory, requirements.memoryTypeBits, {choice})) try {
+        return {context.device, vk::MemoryAllocateInfo{.allocationSize = requirements.size, .memoryTypeIndex = *type}};
+      } catch (const vk::OutOfDeviceMemoryError&) {
+        continue;
+      }
   throw raster::InputError("the Vulkan device has no memory for this use");
+}
+
+std::initializer_list<vk::MemoryPropertyFlags> memoryFor(BufferUse use) {
+  using Property = vk::MemoryPropertyFlagBits;
+  static constexpr vk::MemoryPropertyFlags shared = Property::eHostVisible | Property::eHostCoherent,
+                                           local = Property::eDeviceLocal;
+  // Reading memory that is not cached takes longer than drawing.
+  static constexpr std::initializer_list<vk::MemoryPropertyFlags> input{shared | local, shared},
+      output{shared | Property::eHostCached, shared}, device{local};
+  if (use == BufferUse::Input) return input;
+  return use == BufferUse::Output ? output : device;
 }
 
 }  // namespace
@@ -27,16 +42,14 @@ std::optional<std::uint32_t> memoryType(const vk::PhysicalDeviceMemoryProperties
   return std::nullopt;
 }
 
-VulkanBuffer makeBuffer(const VulkanContext& context, std::size_t size, vk::BufferUsageFlags usage) {
-  using Property = vk::MemoryPropertyFlagBits;
-  vk::raii::Buffer buffer(context.device, vk::BufferCreateInfo{.size = size, .usage = usage});
-  const vk::MemoryPropertyFlags shared = Property::eHostVisible | Property::eHostCoherent;
-  // Reading memory that is not cached takes longer than drawing.
-  const bool isRead = static_cast<bool>(usage & vk::BufferUsageFlagBits::eTransferDst);
-  vk::raii::DeviceMemory memory =
-      allocate(context, buffer.getMemoryRequirements(), {isRead ? shared | Property::eHostCached : shared, shared});
+VulkanBuffer makeBuffer(const VulkanContext& context, std::size_t size, BufferUse use) {
+  using Usage = vk::BufferUsageFlagBits;
+  vk::raii::Buffer buffer(
+      context.device, vk::BufferCreateInfo{.size = std::max<std::size_t>(size, 4),  // an empty buffer is not allowed
+                                           .usage = Usage::eStorageBuffer | Usage::eTransferSrc | Usage::eTransferDst});
+  vk::raii::DeviceMemory memory = allocate(context, buffer.getMemoryRequirements(), memoryFor(use));
   buffer.bindMemory(*memory, 0);
-  auto* const bytes = static_cast<std::byte*>(memory.mapMemory(0, VK_WHOLE_SIZE));
+  auto* const bytes = use == BufferUse::Device ? nullptr : static_cast<std::byte*>(memory.mapMemory(0, VK_WHOLE_SIZE));
   return {std::move(memory), std::move(buffer), bytes};
 }
 
@@ -45,29 +58,32 @@ VulkanBuffer makeStorageBuffer(const VulkanContext& context, std::span<const std
   if (content.size() > largest)
     throw raster::InputError("the draw list is larger than the buffers of the Vulkan device",
                              "use at most " + std::to_string(largest) + " bytes of corners or of index maps");
-  // An empty buffer is not allowed.
-  VulkanBuffer buffer =
-      makeBuffer(context, std::max<std::size_t>(content.size(), 4), vk::BufferUsageFlagBits::eStorageBuffer);
+  VulkanBuffer buffer = makeBuffer(context, content.size(), BufferUse::Input);
   std::copy(content.begin(), content.end(), buffer.bytes);
   return buffer;
 }
 
 VulkanImage makeImage(const VulkanContext& context, vk::Format format, vk::ImageAspectFlags aspect,
-                      vk::ImageUsageFlags usage, vk::Extent2D size) {
+                      vk::ImageUsageFlags usage, vk::Extent2D size, std::uint32_t layers) {
   vk::raii::Image image(context.device, vk::ImageCreateInfo{.imageType = vk::ImageType::e2D,
                                                             .format = format,
                                                             .extent = {size.width, size.height, 1},
                                                             .mipLevels = 1,
-                                                            .arrayLayers = 1,
+                                                            .arrayLayers = layers,
                                                             .usage = usage});
   vk::raii::DeviceMemory memory =
       allocate(context, image.getMemoryRequirements(), {vk::MemoryPropertyFlagBits::eDeviceLocal});
   image.bindMemory(*memory, 0);
-  vk::raii::ImageView view(context.device, vk::ImageViewCreateInfo{.image = *image,
-                                                                   .viewType = vk::ImageViewType::e2D,
-                                                                   .format = format,
-                                                                   .subresourceRange = {aspect, 0, 1, 0, 1}});
-  return {std::move(memory), std::move(image), std::move(view)};
+  const auto view = [&](vk::ImageViewType type, std::uint32_t first, std::uint32_t count) {
+    return vk::raii::ImageView(
+        context.device,
+        vk::ImageViewCreateInfo{
+            .image = *image, .viewType = type, .format = format, .subresourceRange = {aspect, 0, 1, first, count}});
+  };
+  std::vector<vk::raii::ImageView> each;
+  for (std::uint32_t layer = 0; layer < layers; ++layer) each.push_back(view(vk::ImageViewType::e2D, layer, 1));
+  vk::raii::ImageView all = view(vk::ImageViewType::e2DArray, 0, layers);
+  return {std::move(memory), std::move(image), std::move(all), std::move(each)};
 }
 
 }  // namespace hemitex::reference

@@ -5,6 +5,7 @@
 #include <initializer_list>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "reference/devices/vulkan/context.h"
 
@@ -14,25 +15,33 @@ namespace hemitex::reference {
 std::optional<std::uint32_t> memoryType(const vk::PhysicalDeviceMemoryProperties& memory, std::uint32_t allowed,
                                         std::initializer_list<vk::MemoryPropertyFlags> choices);
 
-/// A buffer that the device and this program both read and write.
+/// Who writes a buffer, and who reads it.
+enum class BufferUse {
+  Input,   ///< this program writes it, and the device reads it from memory of its own if this program reaches that
+  Output,  ///< the device writes it, and this program reads it
+  Device,  ///< the device alone
+};
+
 struct VulkanBuffer {
   vk::raii::DeviceMemory memory;
   vk::raii::Buffer buffer;
-  std::byte* bytes;  ///< in the address space of this program
+  std::byte* bytes;  ///< in the address space of this program; null in memory of the device alone
 };
 
-VulkanBuffer makeBuffer(const VulkanContext& context, std::size_t size, vk::BufferUsageFlags usage);
-/// A storage buffer for shaders. Throws InputError if it is larger than the device allows.
+/// A storage buffer that commands copy, too; of at least one byte.
+VulkanBuffer makeBuffer(const VulkanContext& context, std::size_t size, BufferUse use);
+/// An input with this content. Throws InputError if it is larger than the device allows.
 VulkanBuffer makeStorageBuffer(const VulkanContext& context, std::span<const std::byte> content);
 
-/// An image that is rendered to.
+/// The layers of an image that is rendered to.
 struct VulkanImage {
   vk::raii::DeviceMemory memory;
   vk::raii::Image image;
-  vk::raii::ImageView view;
+  vk::raii::ImageView view;                 ///< of all layers
+  std::vector<vk::raii::ImageView> layers;  ///< each alone
 };
 
 VulkanImage makeImage(const VulkanContext& context, vk::Format format, vk::ImageAspectFlags aspect,
-                      vk::ImageUsageFlags usage, vk::Extent2D size);
+                      vk::ImageUsageFlags usage, vk::Extent2D size, std::uint32_t layers);
 
 }  // namespace hemitex::reference

@@ -14,50 +14,6 @@ namespace {
 
 using Stage = vk::ShaderStageFlagBits;
 
-std::array<VulkanBuffer, 3> uploadDrawList(const VulkanContext& context, const raster::DrawList& list) {
-  const auto upload = [&](const auto& array) { return makeStorageBuffer(context, std::as_bytes(std::span(array))); };
-  return {upload(shaderCorners(list)), upload(shaderDraws(list)), upload(shaderTexels(list))};
-}
-
-vk::raii::DescriptorSetLayout makeBufferLayout(const VulkanContext& context) {
-  std::array<vk::DescriptorSetLayoutBinding, 3> bindings;
-  for (std::uint32_t b = 0; b < bindings.size(); ++b)
-    bindings[b] = {.binding = b,
-                   .descriptorType = vk::DescriptorType::eStorageBuffer,
-                   .descriptorCount = 1,
-                   .stageFlags = Stage::eVertex | Stage::eFragment};
-  return {context.device, vk::DescriptorSetLayoutCreateInfo().setBindings(bindings)};
-}
-
-vk::raii::DescriptorPool makeDescriptorPool(const VulkanContext& context) {
-  const vk::DescriptorPoolSize buffers{.type = vk::DescriptorType::eStorageBuffer, .descriptorCount = 3};
-  const vk::DescriptorPoolCreateInfo info{.flags = vk::DescriptorPoolCreateFlagBits::eFreeDescriptorSet, .maxSets = 1};
-  return {context.device, vk::DescriptorPoolCreateInfo(info).setPoolSizes(buffers)};
-}
-
-/// Tells the shaders where their three buffers are.
-vk::raii::DescriptorSet makeDescriptors(const VulkanContext& context, const vk::raii::DescriptorPool& pool,
-                                        const vk::raii::DescriptorSetLayout& layout,
-                                        const std::array<VulkanBuffer, 3>& arrays) {
-  const auto info = vk::DescriptorSetAllocateInfo{.descriptorPool = *pool}.setSetLayouts(*layout);
-  vk::raii::DescriptorSet set = std::move(vk::raii::DescriptorSets(context.device, info).front());
-  for (std::uint32_t b = 0; b < arrays.size(); ++b) {
-    const vk::DescriptorBufferInfo whole{.buffer = *arrays[b].buffer, .range = VK_WHOLE_SIZE};
-    vk::WriteDescriptorSet write{.dstSet = *set, .dstBinding = b, .descriptorType = vk::DescriptorType::eStorageBuffer};
-    context.device.updateDescriptorSets(write.setBufferInfo(whole), {});
-  }
-  return set;
-}
-
-vk::raii::PipelineLayout makeLayout(const VulkanContext& context, const vk::raii::DescriptorSetLayout& buffers) {
-  const vk::PushConstantRange view{.stageFlags = Stage::eVertex | Stage::eFragment, .size = sizeof(ShaderView)};
-  return {context.device, vk::PipelineLayoutCreateInfo().setSetLayouts(*buffers).setPushConstantRanges(view)};
-}
-
-vk::raii::ShaderModule makeShader(const VulkanContext& context, std::span<const std::uint32_t> code) {
-  return {context.device, vk::ShaderModuleCreateInfo{.codeSize = code.size_bytes(), .pCode = code.data()}};
-}
-
 vk::CompareOp compareOf(raster::DepthTest test) {
   const bool keepsLast = raster::keepsLast(test);
   if (raster::keepsFarther(test)) return keepsLast ? vk::CompareOp::eGreaterOrEqual : vk::CompareOp::eGreater;
@@ -110,16 +66,22 @@ vk::raii::Pipeline makeGraphicsPipeline(const VulkanContext& context, const vk::
 
 }  // namespace
 
-VulkanPipeline makePipeline(const VulkanContext& context, const raster::DrawList& list) {
+DrawArrays uploadDrawList(const VulkanContext& context, const raster::DrawList& list) {
+  const auto upload = [&](const auto& array) { return makeStorageBuffer(context, std::as_bytes(std::span(array))); };
+  return {upload(shaderCorners(list)), upload(shaderDraws(list)), upload(shaderTexels(list))};
+}
+
+VulkanPipeline makePipeline(const VulkanContext& context, const raster::DrawList& list, const DrawArrays& arrays) {
+  constexpr vk::ShaderStageFlags stages = Stage::eVertex | Stage::eFragment;
   const TargetFormats formats = targetFormats(context, list);
-  std::array<VulkanBuffer, 3> arrays = uploadDrawList(context, list);
-  vk::raii::DescriptorSetLayout buffers = makeBufferLayout(context);
-  vk::raii::DescriptorPool pool = makeDescriptorPool(context);
-  vk::raii::DescriptorSet descriptors = makeDescriptors(context, pool, buffers, arrays);
-  vk::raii::PipelineLayout layout = makeLayout(context, buffers);
+  std::array<vk::DescriptorType, 3> types;
+  types.fill(vk::DescriptorType::eStorageBuffer);
+  VulkanDescriptors descriptors = makeDescriptors(context, types, stages);
+  for (std::uint32_t b = 0; b < arrays.size(); ++b) bind(context, descriptors, b, arrays[b]);
+  vk::raii::PipelineLayout layout =
+      makePipelineLayout(context, descriptors, {.stageFlags = stages, .size = sizeof(ShaderView)});
   vk::raii::Pipeline pipeline = makeGraphicsPipeline(context, layout, formats, list.depthTest);
-  return {formats,           std::move(arrays),  std::move(buffers), std::move(pool), std::move(descriptors),
-          std::move(layout), std::move(pipeline)};
+  return {formats, std::move(descriptors), std::move(layout), std::move(pipeline)};
 }
 
 }  // namespace hemitex::reference

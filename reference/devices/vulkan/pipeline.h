@@ -5,22 +5,24 @@
 #include <array>
 
 #include "raster/interface/draw_list.h"
+#include "reference/devices/vulkan/descriptors.h"
 #include "reference/devices/vulkan/render_targets.h"
 
 namespace hemitex::reference {
 
+/// Corners, draws and texels of an assembled list.
+using DrawArrays = std::array<VulkanBuffer, 3>;
+/// Throws InputError if one is larger than the buffers of the device.
+DrawArrays uploadDrawList(const VulkanContext& context, const raster::DrawList& list);
+
 struct VulkanPipeline {
   TargetFormats formats;
-  std::array<VulkanBuffer, 3> arrays;  ///< corners, draws, texels
-  vk::raii::DescriptorSetLayout buffers;
-  vk::raii::DescriptorPool pool;
-  vk::raii::DescriptorSet descriptors;  ///< of the arrays, in the pool
-  vk::raii::PipelineLayout layout;      ///< the buffers, and a ShaderView as push constants
-  vk::raii::Pipeline pipeline;          ///< the front face, the viewport and the scissor are set per view
+  VulkanDescriptors descriptors;    ///< of the arrays
+  vk::raii::PipelineLayout layout;  ///< the arrays, and a ShaderView as push constants
+  vk::raii::Pipeline pipeline;      ///< the front face, the viewport and the scissor are set per view
 };
 
-/// Throws InputError if an array of the assembled list is larger than the buffers of the device, or if the device has
-/// no targets of its depths or counts.
-VulkanPipeline makePipeline(const VulkanContext& context, const raster::DrawList& list);
+/// Throws InputError if the device has no targets of the depths or counts of the list.
+VulkanPipeline makePipeline(const VulkanContext& context, const raster::DrawList& list, const DrawArrays& arrays);
 
 }  // namespace hemitex::reference

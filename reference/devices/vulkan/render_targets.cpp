@@ -35,10 +35,18 @@ TargetFormats targetFormats(const VulkanContext& context, const raster::DrawList
   return formats;
 }
 
-RenderTargets makeRenderTargets(const VulkanContext& context, const TargetFormats& formats, vk::Extent2D size) {
+RenderTargets makeRenderTargets(const VulkanContext& context, const TargetFormats& formats, vk::Extent2D size,
+                                std::uint32_t layers) {
   using Usage = vk::ImageUsageFlagBits;
-  return {size, makeImage(context, formats.colour, Aspect::eColor, Usage::eColorAttachment | Usage::eTransferSrc, size),
-          makeImage(context, formats.depth, Aspect::eDepth, Usage::eDepthStencilAttachment, size)};
+  const vk::ImageUsageFlags drawn = Usage::eColorAttachment | Usage::eTransferSrc | Usage::eSampled;
+  return {size, layers, makeImage(context, formats.colour, Aspect::eColor, drawn, size, layers),
+          makeImage(context, formats.depth, Aspect::eDepth, Usage::eDepthStencilAttachment, size, layers)};
+}
+
+RenderTargets makeStoredTargets(const VulkanContext& context, vk::Extent2D size, std::uint32_t layers) {
+  using Usage = vk::ImageUsageFlagBits;
+  const vk::ImageUsageFlags stored = Usage::eStorage | Usage::eTransferSrc | Usage::eSampled;
+  return {size, layers, makeImage(context, vk::Format::eR32Uint, Aspect::eColor, stored, size, layers), std::nullopt};
 }
 
 vk::Extent2D sizeOf(const raster::Face& face) {
@@ -59,27 +67,35 @@ void changeLayout(const vk::raii::CommandBuffer& commands, const VulkanImage& im
                                         .srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
                                         .dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
                                         .image = *image.image,
-                                        .subresourceRange = {aspect, 0, 1, 0, 1}};
+                                        .subresourceRange = {aspect, 0, 1, 0, VK_REMAINING_ARRAY_LAYERS}};
   commands.pipelineBarrier2(vk::DependencyInfo().setImageMemoryBarriers(barrier));
 }
 
-void beginRendering(const vk::raii::CommandBuffer& commands, const RenderTargets& targets, const raster::Face& face,
-                    const raster::DrawList& list) {
+vk::ImageLayout layoutOf(const RenderTargets& targets) {
+  return targets.depth ? Layout::eColorAttachmentOptimal : Layout::eGeneral;
+}
+
+void dropContent(const vk::raii::CommandBuffer& commands, const RenderTargets& targets) {
+  changeLayout(commands, targets.colour, Aspect::eColor, Layout::eUndefined, layoutOf(targets));
+  if (targets.depth)
+    changeLayout(commands, *targets.depth, Aspect::eDepth, Layout::eUndefined, Layout::eDepthStencilAttachmentOptimal);
+}
+
+void beginRendering(const vk::raii::CommandBuffer& commands, const RenderTargets& targets, std::uint32_t layer,
+                    const raster::Face& face, const raster::DrawList& list) {
   // A count of 0 has the bits of the number 0.
   const std::array<std::uint32_t, 4> cleared{raster::clearedValue(list), 0, 0, 0};
-  const vk::RenderingAttachmentInfo colour{.imageView = *targets.colour.view,
+  const vk::RenderingAttachmentInfo colour{.imageView = *targets.colour.layers[layer],
                                            .imageLayout = Layout::eColorAttachmentOptimal,
                                            .loadOp = vk::AttachmentLoadOp::eClear,
                                            .storeOp = vk::AttachmentStoreOp::eStore,
                                            .clearValue = {vk::ClearColorValue(cleared)}};
   const vk::RenderingAttachmentInfo depth{
-      .imageView = *targets.depth.view,
+      .imageView = *targets.depth->layers[layer],
       .imageLayout = Layout::eDepthStencilAttachmentOptimal,
       .loadOp = vk::AttachmentLoadOp::eClear,
       .storeOp = vk::AttachmentStoreOp::eDontCare,
       .clearValue = {vk::ClearDepthStencilValue{raster::keepsFarther(list.depthTest) ? 0.0F : 1.0F, 0}}};
-  changeLayout(commands, targets.colour, Aspect::eColor, Layout::eUndefined, colour.imageLayout);
-  changeLayout(commands, targets.depth, Aspect::eDepth, Layout::eUndefined, depth.imageLayout);
   const std::array<vk::RenderingAttachmentInfo, 2> second{vk::RenderingAttachmentInfo{}, colour};
   vk::RenderingInfo info{.renderArea = {{0, 0}, sizeOf(face)}, .layerCount = 1, .pDepthAttachment = &depth};
   const bool areCounts = list.value == raster::PixelValue::PassedSamples;

@@ -1,5 +1,7 @@
-/// The images that a face is drawn into.
+/// The images that faces are drawn into, one layer per face.
 #pragma once
+
+#include <optional>
 
 #include "raster/interface/draw_list.h"
 #include "raster/interface/face.h"
@@ -18,13 +20,18 @@ struct TargetFormats {
 /// Throws InputError if the device does not have them.
 TargetFormats targetFormats(const VulkanContext& context, const raster::DrawList& list);
 
-/// Item IDs and depths of one face at a time, at most of this size.
+/// Item IDs and depths of faces at most of this size; compute shaders need no depths.
 struct RenderTargets {
   vk::Extent2D size;
-  VulkanImage colour, depth;
+  std::uint32_t layers;
+  VulkanImage colour;
+  std::optional<VulkanImage> depth;
 };
 
-RenderTargets makeRenderTargets(const VulkanContext& context, const TargetFormats& formats, vk::Extent2D size);
+RenderTargets makeRenderTargets(const VulkanContext& context, const TargetFormats& formats, vk::Extent2D size,
+                                std::uint32_t layers);
+/// Item IDs that a compute shader stores.
+RenderTargets makeStoredTargets(const VulkanContext& context, vk::Extent2D size, std::uint32_t layers);
 
 /// The size of a face's scissor rectangle.
 vk::Extent2D sizeOf(const raster::Face& face);
@@ -33,8 +40,15 @@ vk::Extent2D sizeOf(const raster::Face& face);
 void changeLayout(const vk::raii::CommandBuffer& commands, const VulkanImage& image, vk::ImageAspectFlagBits aspect,
                   vk::ImageLayout from, vk::ImageLayout to);
 
-/// Begins to render a face of the list, with all pixels cleared, and all depths to where any fragment passes.
-void beginRendering(const vk::raii::CommandBuffer& commands, const RenderTargets& targets, const raster::Face& face,
-                    const raster::DrawList& list);
+/// The layout of the item IDs while they are drawn.
+vk::ImageLayout layoutOf(const RenderTargets& targets);
+
+/// Makes all layers ready to be drawn into.
+void dropContent(const vk::raii::CommandBuffer& commands, const RenderTargets& targets);
+
+/// Begins to render a face of the list into a layer, with all pixels cleared, and all depths to where any fragment
+/// passes.
+void beginRendering(const vk::raii::CommandBuffer& commands, const RenderTargets& targets, std::uint32_t layer,
+                    const raster::Face& face, const raster::DrawList& list);
 
 }  // namespace hemitex::reference

@@ -2,184 +2,107 @@
 
 #include <algorithm>
 #include <cstring>
-#include <string>
+#include <optional>
 
-#include "raster/base/input_error.h"
 #include "raster/base/parallel.h"
-#include "reference/devices/batches.h"
 #include "reference/devices/passed_samples.h"
-#include "reference/devices/shader_inputs.h"
-#include "reference/devices/viewport.h"
-#include "reference/devices/vulkan/context.h"
-#include "reference/devices/vulkan/pipeline.h"
-#include "reference/devices/vulkan/render_targets.h"
+#include "reference/devices/vulkan/face_drawing.h"
+#include "reference/devices/vulkan/vulkan_sums.h"
 
 namespace hemitex::reference {
 namespace {
 
 using raster::Face;
-using raster::InputError;
 using raster::ItemId;
 using Layout = vk::ImageLayout;
-
-InputError failure(const vk::SystemError& error) {
-  return InputError(std::string("the Vulkan device fails: ") + error.what());
-}
 
 std::size_t bytesOf(const Face& face) {
   return sizeof(ItemId) * static_cast<std::size_t>(face.scissor.width) * static_cast<std::size_t>(face.scissor.height);
 }
 
-int largestViewport(const VulkanContext& context) {
-  const auto& size = context.physicalDevice.getProperties().limits.maxViewportDimensions;
-  return static_cast<int>(std::min(size[0], size[1]));
-}
-
-vk::raii::CommandPool makeCommandPool(const VulkanContext& context) {
-  return {context.device, vk::CommandPoolCreateInfo{.flags = vk::CommandPoolCreateFlagBits::eResetCommandBuffer,
-                                                    .queueFamilyIndex = context.queueFamily}};
-}
-
-vk::raii::CommandBuffer makeCommands(const VulkanContext& context, const vk::raii::CommandPool& pool) {
-  const vk::CommandBufferAllocateInfo info{.commandPool = *pool, .commandBufferCount = 1};
-  return std::move(vk::raii::CommandBuffers(context.device, info).front());
-}
-
 class VulkanRenderer final : public raster::ItemBufferRenderer {
  public:
-  VulkanRenderer(const raster::DrawList& list, const std::string& name);
+  VulkanRenderer(const raster::DrawList& list, VulkanPath path, const std::string& name)
+      : drawing_(makeFaceDrawing(list, path, name)), commands_(makeCommands(drawing_)) {}
+
   void draw(std::span<const Face> faces, std::span<const std::uint32_t> skipped,
             std::vector<raster::ItemBuffer>& buffers, const std::function<void(std::size_t)>& drawn) override;
+  std::unique_ptr<raster::PixelSums> makeSums(const std::function<raster::SlotTable()>& table) override {
+    return makeVulkanSums(drawing_, table);
+  }
 
  private:
   void makeRoom(std::span<const Face> faces);
-  void recordDraws(const Face& face, const DeviceViewport& viewport, const VertexRuns& runs);
-  void recordFace(const Face& face, const DeviceViewport& viewport, const VertexRuns& runs, std::size_t outputOffset);
-  void submit();
+  void drawAtOnce(const DrawnView& view, raster::ItemBuffer* buffers);
 
-  raster::DrawList list_;
-  VulkanContext context_;
-  int largestViewport_;
-  VulkanPipeline pipeline_;
-  vk::raii::CommandPool commandPool_;
+  FaceDrawing drawing_;
   vk::raii::CommandBuffer commands_;
-  std::optional<RenderTargets> targets_;
-  std::optional<VulkanBuffer> output_;  ///< the item IDs of all faces, one after the other
+  std::optional<Canvas> canvas_;
+  std::optional<VulkanBuffer> output_;  ///< the item IDs of faces, one after the other
   std::size_t outputSize_ = 0;
 };
 
-VulkanRenderer::VulkanRenderer(const raster::DrawList& list, const std::string& name)
-    : list_(raster::assembled(list)),
-      context_(openVulkanDevice(name)),
-      largestViewport_(largestViewport(context_)),
-      pipeline_(makePipeline(context_, list_)),
-      commandPool_(makeCommandPool(context_)),
-      commands_(makeCommands(context_, commandPool_)) {}
-
-/// Enlarges the targets and the output where the faces need it.
+/// Enlarges the canvas and the output where the faces need it.
 void VulkanRenderer::makeRoom(std::span<const Face> faces) {
-  vk::Extent2D size = targets_ ? targets_->size : vk::Extent2D{1, 1};
+  const vk::Extent2D size = sizeOf(faces);
+  if (!canvas_ || canvas_->targets.size.width < size.width || canvas_->targets.size.height < size.height ||
+      canvas_->targets.layers < faces.size()) {
+    canvas_.reset();
+    canvas_ = makeCanvas(drawing_, size, faces.size(), 1);
+  }
   std::size_t outputSize = 0;
-  for (const Face& face : faces) {
-    size.width = std::max(size.width, sizeOf(face).width);
-    size.height = std::max(size.height, sizeOf(face).height);
-    outputSize += bytesOf(face);
+  for (const Face& face : faces) outputSize += bytesOf(face);
+  if (outputSize <= outputSize_) return;
+  output_ = makeBuffer(drawing_.context, outputSize, BufferUse::Output);
+  outputSize_ = outputSize;
+}
+
+/// Draws faces into layers, then copies their item IDs to the output, row 0 first and without padding.
+void VulkanRenderer::drawAtOnce(const DrawnView& view, raster::ItemBuffer* buffers) {
+  const std::span<const Face> faces = view.faces;
+  makeRoom(faces);
+  commands_.begin(vk::CommandBufferBeginInfo{.flags = vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
+  record(commands_, drawing_, *canvas_, {&view, 1}, Layout::eTransferSrcOptimal);
+  std::size_t offset = 0;
+  for (std::uint32_t f = 0; f < faces.size(); offset += bytesOf(faces[f]), ++f) {
+    const vk::BufferImageCopy copy{.bufferOffset = offset,
+                                   .imageSubresource = {vk::ImageAspectFlagBits::eColor, 0, f, 1},
+                                   .imageExtent = {sizeOf(faces[f]).width, sizeOf(faces[f]).height, 1}};
+    commands_.copyImageToBuffer(*canvas_->targets.colour.image, Layout::eTransferSrcOptimal, *output_->buffer, copy);
   }
-  if (!targets_ || targets_->size != size) targets_ = makeRenderTargets(context_, pipeline_.formats, size);
-  if (outputSize > outputSize_) {
-    output_ = makeBuffer(context_, outputSize, vk::BufferUsageFlagBits::eTransferDst);
-    outputSize_ = outputSize;
+  submit(drawing_, commands_);
+  drawing_.context.queue.waitIdle();
+  const std::byte* ids = output_->bytes;
+  for (std::size_t f = 0; f < faces.size(); ids += bytesOf(faces[f]), ++f) {
+    buffers[f].resize(faces[f].scissor);
+    std::memcpy(buffers[f].ids.data(), ids, bytesOf(faces[f]));
+    if (drawing_.areCounts()) readCounts(buffers[f]);
   }
-}
-
-void VulkanRenderer::recordDraws(const Face& face, const DeviceViewport& viewport, const VertexRuns& runs) {
-  commands_.bindPipeline(vk::PipelineBindPoint::eGraphics, *pipeline_.pipeline);
-  commands_.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, *pipeline_.layout, 0, *pipeline_.descriptors, {});
-  // Row 0 is at y/w = -1 in Vulkan as in the rules.
-  commands_.setViewport(0, vk::Viewport{.x = static_cast<float>(viewport.x),
-                                        .y = static_cast<float>(viewport.y),
-                                        .width = static_cast<float>(viewport.columns),
-                                        .height = static_cast<float>(viewport.rows),
-                                        .minDepth = 0,
-                                        .maxDepth = 1});
-  commands_.setScissor(0, vk::Rect2D{{0, 0}, sizeOf(face)});
-  // docs/item-buffers.md, "facing": front-facing if the area and the determinant differ in sign. Rows count downwards
-  // in Vulkan, where a positive area of the rules is clockwise.
-  const bool isPositive = raster::determinant(face) > 0, isTurned = list_.front == raster::Winding::Clockwise;
-  commands_.setFrontFace(isPositive != isTurned ? vk::FrontFace::eCounterClockwise : vk::FrontFace::eClockwise);
-  commands_.pushConstants<ShaderView>(*pipeline_.layout,
-                                      vk::ShaderStageFlagBits::eVertex | vk::ShaderStageFlagBits::eFragment, 0,
-                                      shaderView(face, list_, viewport));
-  const auto triangles = static_cast<std::uint32_t>(shaderTriangles(list_));
-  for (std::size_t r = 0; r < runs.first.size(); ++r)
-    commands_.draw(triangles * static_cast<std::uint32_t>(runs.count[r]), 1,
-                   triangles * static_cast<std::uint32_t>(runs.first[r]), 0);
-}
-
-/// Draws a face, then copies its item IDs to the output, row 0 first and without padding.
-void VulkanRenderer::recordFace(const Face& face, const DeviceViewport& viewport, const VertexRuns& runs,
-                                std::size_t outputOffset) {
-  beginRendering(commands_, *targets_, face, list_);
-  recordDraws(face, viewport, runs);
-  commands_.endRendering();
-  changeLayout(commands_, targets_->colour, vk::ImageAspectFlagBits::eColor, Layout::eColorAttachmentOptimal,
-               Layout::eTransferSrcOptimal);
-  const vk::BufferImageCopy copy{.bufferOffset = outputOffset,
-                                 .imageSubresource = {vk::ImageAspectFlagBits::eColor, 0, 0, 1},
-                                 .imageExtent = {sizeOf(face).width, sizeOf(face).height, 1}};
-  commands_.copyImageToBuffer(*targets_->colour.image, Layout::eTransferSrcOptimal, *output_->buffer, copy);
-}
-
-/// Runs the recorded commands and waits until this program can read the output.
-void VulkanRenderer::submit() {
-  const vk::MemoryBarrier2 readable{.srcStageMask = vk::PipelineStageFlagBits2::eCopy,
-                                    .srcAccessMask = vk::AccessFlagBits2::eTransferWrite,
-                                    .dstStageMask = vk::PipelineStageFlagBits2::eHost,
-                                    .dstAccessMask = vk::AccessFlagBits2::eHostRead};
-  commands_.pipelineBarrier2(vk::DependencyInfo().setMemoryBarriers(readable));
-  commands_.end();
-  context_.queue.submit(vk::SubmitInfo().setCommandBuffers(*commands_));
-  context_.queue.waitIdle();
 }
 
 void VulkanRenderer::draw(std::span<const Face> faces, std::span<const std::uint32_t> skipped,
                           std::vector<raster::ItemBuffer>& buffers, const std::function<void(std::size_t)>& drawn) try {
   for (const Face& face : faces) raster::validate(face);
-  std::vector<DeviceViewport> viewports;
-  for (const Face& face : faces) viewports.push_back(viewportOf(face, 8, largestViewport_, "Vulkan"));
   buffers.resize(faces.size());
   if (faces.empty()) return;
-
-  // Each corner has the number of its draw, so all draws are one batch.
-  const auto batches = batchesOf(list_, skipped, [](const raster::Draw&, const raster::Draw&) { return true; });
-  const VertexRuns runs = batches.empty() ? VertexRuns{} : batches.front().runs;
-  makeRoom(faces);
-  commands_.begin(vk::CommandBufferBeginInfo{.flags = vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
-  std::size_t offset = 0;
-  for (std::size_t f = 0; f < faces.size(); offset += bytesOf(faces[f]), ++f)
-    recordFace(faces[f], viewports[f], runs, offset);
-  submit();
-  const std::byte* ids = output_->bytes;
-  for (std::size_t f = 0; f < faces.size(); ids += bytesOf(faces[f]), ++f) {
-    buffers[f].resize(faces[f].scissor);
-    std::memcpy(buffers[f].ids.data(), ids, bytesOf(faces[f]));
-    if (pipeline_.formats.areCounts()) readCounts(buffers[f]);
-  }
+  const std::size_t atOnce = facesAtOnce(drawing_, sizeOf(faces));
+  for (std::size_t f = 0; f < faces.size(); f += atOnce)
+    drawAtOnce({faces.subspan(f, std::min(atOnce, faces.size() - f)), skipped}, &buffers[f]);
   raster::parallelFor(faces.size(), drawn);
 } catch (const vk::SystemError& error) {
-  throw failure(error);
+  throw failureOf(error);
 }
 
 }  // namespace
 
-std::unique_ptr<raster::ItemBufferRenderer> makeVulkanRenderer(const raster::DrawList& list,
-                                                               const std::string& name) try {
+std::unique_ptr<raster::ItemBufferRenderer> makeVulkanRenderer(const raster::DrawList& list, const std::string& name,
+                                                               VulkanPath path) try {
   raster::validate(list);
-  return std::make_unique<VulkanRenderer>(list, name);
+  return std::make_unique<VulkanRenderer>(list, path, name);
 } catch (const vk::SystemError& error) {
-  throw failure(error);
+  throw failureOf(error);
 }
 
-std::string vulkanDeviceName(const std::string& name) { return nameOf(openVulkanDevice(name)); }
+std::string vulkanDeviceName(const std::string& name) { return nameOf(openVulkanDevice(name).physicalDevice); }
 
 }  // namespace hemitex::reference

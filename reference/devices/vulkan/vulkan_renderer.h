@@ -12,11 +12,16 @@
 
 namespace hemitex::reference {
 
+/// How the device draws: with its pipeline for triangles, or by compute shaders (tile_drawing.h), which draw no
+/// features of version 2 of the rules.
+enum class VulkanPath { Graphics, Compute };
+
 /// Draws with the first device whose name contains `name`. Throws InputError if the list breaks the rules or exceeds
 /// the buffers of the device, or if there is no device (see context.h). Drawing throws InputError if a face breaks the
 /// rules or exceeds the device's viewport, or if the device fails.
 std::unique_ptr<raster::ItemBufferRenderer> makeVulkanRenderer(const raster::DrawList& list,
-                                                               const std::string& name = "");
+                                                               const std::string& name = "",
+                                                               VulkanPath path = VulkanPath::Graphics);
 
 /// The whole name of that device.
 std::string vulkanDeviceName(const std::string& name = "");
