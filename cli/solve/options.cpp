@@ -133,6 +133,16 @@ void addTextureOptions(Command command, SolveOptions& options) {
              "surface has at least 128 texels along its longer side, and all have at most 2^26)");
 }
 
+/// Adds the final gather, which has no use for filters.
+void addGather(Command command, SolveOptions& options) {
+  command = command.under("Output");
+  command
+      .addFlag("--gather", options.gather,
+               "compute the light of each texel of display textures, light maps and NAME.exr from all that the texel "
+               "sees, instead of filtering elements: sharp shadows, dark corners, no mottling")
+      .excludes(command.option("--filter"));
+}
+
 /// The option of all commands, which the help of this one shows, too.
 void addInsist(Command command, bool& insists) {
   command.under("Accuracy and memory")
@@ -148,7 +158,7 @@ void addOmissions(Command command, SolveOptions& options) {
       "--no-textures", options.noTextures,
       "do not write textures, nor scene.obj, scene.mtl and scene.glb, which show them; render.png shows elements "
       "without filtering. For scenes of many millions of elements.");
-  for (const char* ofTextures : {"--filter", "--magnify", "--lightmap"})
+  for (const char* ofTextures : {"--filter", "--magnify", "--lightmap", "--gather"})
     noTextures.excludes(command.option(ofTextures));
 }
 
@@ -215,6 +225,7 @@ void addSolveOptions(Command command, SolveOptions& options, Context& context) {
   addChosenSettings(command, options);
   addInsist(command, context.insists);
   addTextureOptions(command, options);
+  addGather(command, options);
   addOmissions(command, options);
   addCameraOptions(command, options.camera);
   addEdits(command, options.edits);
@@ -295,7 +306,7 @@ TextureFilter filterOf(const SolveOptions& options) {
 }
 
 radiosity::Magnification magnificationOf(const SolveOptions& options) {
-  if (filterOf(options) == TextureFilter::OneToOne) return {options.magnification.value_or(1)};
+  if (filterOf(options) == TextureFilter::OneToOne && !options.gather) return {options.magnification.value_or(1)};
   return {options.magnification};
 }
 

@@ -13,6 +13,7 @@
 
 namespace hemitex::radiosity {
 struct Discretization;
+struct GatheredLight;
 struct IdLayout;
 struct LitScene;
 struct Scene;
@@ -32,6 +33,7 @@ struct SolvedScene {
   const radiosity::IdLayout& layout;
   const radiosity::Solution& solution;
   std::span<const double> rowErrors = {};  ///< see SolveResult
+  const radiosity::GatheredLight* gathered = nullptr;  ///< with --gather
 };
 
 /// The area of a surface's elements, and means over this area.

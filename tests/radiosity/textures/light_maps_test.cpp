@@ -1,5 +1,6 @@
 /// makeLightMaps and writeLightMaps: reflectance times light map is the display texture; the files are parsed.
 #include "radiosity/textures/light_maps.h"
+#include "radiosity/textures/radiosity_texture.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -109,7 +110,9 @@ TEST_CASE("writeLightMaps writes the scene with its materials, both texture coor
   const LightMaps maps = room.maps();
   const PictureView view{{{2, 1, 9}, {2, 1, 0}, {0, 1, 0}, 40}, 1.5};
   REQUIRE(
-      writeLightMaps(folder.path, maps, room.scene, room.discretization, room.layout, room.irradiance, view).empty());
+      writeLightMaps(folder.path, maps, room.scene, room.discretization, room.layout,
+                     radiosityTextures(room.discretization, room.layout, room.irradiance), view)
+          .empty());
   const Glb glb = parseGlb(readAll(folder.path / "lightmap.glb"));
   const json& gltf = glb.description;
   REQUIRE(gltf["nodes"].size() == 6);  // wall, lamp, bright, dark, house and the camera
