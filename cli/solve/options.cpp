@@ -306,7 +306,9 @@ TextureFilter filterOf(const SolveOptions& options) {
 }
 
 radiosity::Magnification magnificationOf(const SolveOptions& options) {
-  if (filterOf(options) == TextureFilter::OneToOne && !options.gather) return {options.magnification.value_or(1)};
+  // A gathered texel takes much more time than a filtered one.
+  if (options.gather) return {options.magnification, std::int64_t{1} << 22};
+  if (filterOf(options) == TextureFilter::OneToOne) return {options.magnification.value_or(1)};
   return {options.magnification};
 }
 

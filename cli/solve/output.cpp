@@ -125,10 +125,9 @@ std::optional<radiosity::LitScene> litScene(const SolvedScene& solved) {
         radiosity::codedTextures(
             radiosity::radiosityTextures(solved.scene, solved.discretization, layout, *solved.gathered),
             exposureOf(solved)));
-  return radiosity::makeLitScene(
-      solved.scene, solved.discretization, layout,
-      radiosity::displayValues(solved.scene, solved.discretization, solved.solution), exposureOf(solved),
-      filterOf(solved.options));
+  return radiosity::makeLitScene(solved.scene, solved.discretization, layout,
+                                 radiosity::displayValues(solved.scene, solved.discretization, solved.solution),
+                                 exposureOf(solved), filterOf(solved.options));
 }
 
 std::vector<std::string> writeSolved(const std::filesystem::path& folder, const SolvedScene& solved,

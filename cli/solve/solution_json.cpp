@@ -275,8 +275,9 @@ std::string summary(const ordered_json& solution) {
   if (solution.contains("frames"))
     for (const ordered_json& frame : solution["frames"])
       text << frame["folder"].get<std::string>() << ": " << shotsText(frame, frame["times"]["update_s"]);
-  text << expectedErrorText(solution) << gatherText(solution) << unitText(solution["settings"]) << emissionText(solution)
-       << candelaText(solution["settings"]) << fluxText(solution["energy"], solution.contains("bands"));
+  text << expectedErrorText(solution) << gatherText(solution) << unitText(solution["settings"])
+       << emissionText(solution) << candelaText(solution["settings"])
+       << fluxText(solution["energy"], solution.contains("bands"));
   return text.str();
 }
 

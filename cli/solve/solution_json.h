@@ -32,7 +32,7 @@ struct SolvedScene {
   const radiosity::Discretization& discretization;
   const radiosity::IdLayout& layout;
   const radiosity::Solution& solution;
-  std::span<const double> rowErrors = {};  ///< see SolveResult
+  std::span<const double> rowErrors = {};              ///< see SolveResult
   const radiosity::GatheredLight* gathered = nullptr;  ///< with --gather
 };
 

@@ -171,8 +171,9 @@ ordered_json writeResult(const radiosity::Scene& scene, const radiosity::Camera&
                          Laps& laps) {
   Console& console = monitor.console();
   SolveOptions& options = result.options;
-  SolvedScene solved{options,         camera, scene, result.light.discretization, result.light.layout,
-                     result.light.solution, result.rowErrors};
+  SolvedScene solved{
+      options,         camera, scene, result.light.discretization, result.light.layout, result.light.solution,
+      result.rowErrors};
   const std::optional<radiosity::GatheredLight> gathered = gatheredLight(solved, console);
   if (gathered) solved.gathered = &*gathered;
   console.warnings(unitWarning(solved));

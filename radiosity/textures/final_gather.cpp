@@ -79,13 +79,21 @@ std::optional<LitPlace> placeOf(const Surface& surface, const Grid& grid, std::u
   return place;
 }
 
-/// Gives the texels of a curved surface the filtered normals of its elements.
-void smoothNormals(const Scene& scene, const Discretization& discretization, std::uint32_t surface, int magnification,
-                   Texels& texels) {
-  const Grid& grid = discretization.grids[surface];
+/// The mean normals of the elements of curved surfaces, and 0 for others.
+std::vector<glm::dvec3> normalsOf(const Scene& scene, const Discretization& discretization) {
   std::vector<glm::dvec3> normals(discretization.elements.size());
-  const std::vector<glm::dvec3> means = meanNormals(scene.surfaces[surface], grid);
-  std::copy(means.begin(), means.end(), normals.begin() + grid.firstElement);
+  for (std::size_t s = 0; s < scene.surfaces.size(); ++s) {
+    if (!scene.surfaces[s].curvedPart) continue;
+    const std::vector<glm::dvec3> means = meanNormals(scene.surfaces[s], discretization.grids[s]);
+    std::copy(means.begin(), means.end(), normals.begin() + discretization.grids[s].firstElement);
+  }
+  return normals;
+}
+
+/// Gives the texels of a curved surface the filtered normals of its elements.
+void smoothNormals(const Scene& scene, const Discretization& discretization, const std::vector<glm::dvec3>& normals,
+                   std::uint32_t surface, int magnification, Texels& texels) {
+  const Grid& grid = discretization.grids[surface];
   const TextureFilter filter = grid.quadtree ? TextureFilter::OneToOne : TextureFilter::Bicubic;
   const std::vector<glm::dvec3> filtered =
       filteredTexels(scene, discretization, surface, normals, filter, magnification);
@@ -94,7 +102,9 @@ void smoothNormals(const Scene& scene, const Discretization& discretization, std
       texels.places[i]->point.normal = glm::normalize(filtered[i]);
 }
 
-Texels texelsOf(const Scene& scene, const Discretization& discretization, std::uint32_t surface, int magnification) {
+/// `normals` are normalsOf the scene.
+Texels texelsOf(const Scene& scene, const Discretization& discretization, const std::vector<glm::dvec3>& normals,
+                std::uint32_t surface, int magnification) {
   const Grid& grid = discretization.grids[surface];
   Texels texels{grid.columns * magnification, grid.rows * magnification, {}, {}, {}};
   const std::size_t count = static_cast<std::size_t>(texels.columns) * static_cast<std::size_t>(texels.rows);
@@ -107,7 +117,7 @@ Texels texelsOf(const Scene& scene, const Discretization& discretization, std::u
       texels.places[texels.at(column, static_cast<int>(row))] =
           placeOf(scene.surfaces[surface], grid, surface, column, static_cast<int>(row), magnification, isPlane);
   });
-  if (scene.surfaces[surface].curvedPart) smoothNormals(scene, discretization, surface, magnification, texels);
+  if (scene.surfaces[surface].curvedPart) smoothNormals(scene, discretization, normals, surface, magnification, texels);
   return texels;
 }
 
@@ -381,10 +391,10 @@ void addSource(const DirectLight& direct, std::size_t source, Texels& texels) {
 }
 
 /// The light of texels in colours; those without area have that of the nearest one with area.
-std::vector<glm::dvec3> coloursOf(const Scene& scene, const Discretization& discretization, std::uint32_t surface,
-                                  int magnification, const Texels& texels) {
+std::vector<glm::dvec3> coloursOf(const Scene& scene, const Discretization& discretization,
+                                  const ElementMaterials& materials, std::uint32_t surface, int magnification,
+                                  const Texels& texels) {
   const BandColours colours(scene.wavelengths);
-  const ElementMaterials materials(scene, discretization);
   const Grid& grid = discretization.grids[surface];
   std::vector<glm::dvec3> result(texels.places.size());
   std::vector<bool> covered;
@@ -419,23 +429,26 @@ GatheredLight gather(const Scene& scene, const Discretization& discretization, c
   const auto magnificationOf = [&](std::uint32_t s) {
     return textures.textures[static_cast<std::size_t>(textures.places[s].texture)].magnification;
   };
+  const std::vector<glm::dvec3> normals = normalsOf(scene, discretization);
   std::vector<Texels> all(scene.surfaces.size());
   raster::parallelFor(all.size(), [&](std::size_t s) {
     const auto surface = static_cast<std::uint32_t>(s);
-    all[s] = texelsOf(scene, discretization, surface, magnificationOf(surface));
+    all[s] = texelsOf(scene, discretization, normals, surface, magnificationOf(surface));
   });
   Interpolation interpolation(seen, all, settings);
   interpolation.run(progress);
   GatheredLight result{std::vector<std::vector<glm::dvec3>>(all.size()), 0, interpolation.drawn(),
                        interpolation.error()};
-  raster::parallelFor(all.size(), [&](std::size_t s) {
-    for (std::size_t source = 0; source < direct.count(); ++source) addSource(direct, source, all[s]);
-    const auto surface = static_cast<std::uint32_t>(s);
-    result.irradiance[s] = coloursOf(scene, discretization, surface, magnificationOf(surface), all[s]);
-  });
   for (const Texels& texels : all)
     result.texels += static_cast<std::size_t>(
         std::count_if(texels.places.begin(), texels.places.end(), [](const auto& place) { return place.has_value(); }));
+  const ElementMaterials materials(scene, discretization);
+  raster::parallelFor(all.size(), [&](std::size_t s) {
+    const auto surface = static_cast<std::uint32_t>(s);
+    for (std::size_t source = 0; source < direct.count(); ++source) addSource(direct, source, all[s]);
+    result.irradiance[s] = coloursOf(scene, discretization, materials, surface, magnificationOf(surface), all[s]);
+    all[s] = {};
+  });
   return result;
 }
 
@@ -447,7 +460,6 @@ std::vector<Image> irradianceTextures(const Discretization& discretization, cons
 std::vector<Image> radiosityTextures(const Scene& scene, const Discretization& discretization,
                                      const TextureLayout& textures, const GatheredLight& light) {
   const std::vector<ImageLevels> maps = levelsOfMaps(scene);
-  const BandColours colours(scene.wavelengths);
   return texturesOf(discretization, textures, [&](std::uint32_t s) {
     std::vector<glm::dvec3> texels = light.irradiance[s];
     const Surface& surface = scene.surfaces[s];

@@ -6,9 +6,9 @@
 ///     H = sum F_j B_j + direct light,
 ///
 /// where emission that is among the sources of DirectLight is left out of B_j. The first sum changes slowly. So texels
-/// are drawn on a coarse grid. A cell between four of them is interpolated if they are nearly equal, or if a fifth in its
-/// middle has the light between them; else it is divided into four. Direct light is computed at each texel, with few rays where all neighbours
-/// see all of a source or nothing of it.
+/// are drawn on a coarse grid. A cell between four of them is interpolated if they are nearly equal, or if a fifth in
+/// its middle has the light between them; else it is divided into four. Direct light is computed at each texel, with
+/// few rays where all neighbours see all of a source or nothing of it.
 #pragma once
 
 #include <cstddef>
@@ -26,9 +26,9 @@
 namespace hemitex::radiosity {
 
 struct GatherSettings {
-  int resolution = 64;      ///< pixels along the side of a hemicube; even, 2 to 4096
-  double even = 0.04;       ///< cells whose corners differ by no more than this share are interpolated
-  double tolerance = 0.015; ///< cells whose middle differs from their corners by more than this share are divided
+  int resolution = 64;       ///< pixels along the side of a hemicube; even, 2 to 4096
+  double even = 0.04;        ///< cells whose corners differ by no more than this share are interpolated
+  double tolerance = 0.015;  ///< cells whose middle differs from their corners by more than this share are divided
 };
 
 struct GatheredLight {

@@ -34,9 +34,9 @@ LightMaps makeLightMaps(const Scene& scene, const Discretization& discretization
                         const std::vector<Image>& linear, double exposure);
 
 /// Writes into `folder`, which exists: lightmap.glb, the scene with its objects, materials and own texture coordinates,
-/// and those in light maps as second ones; per texture lightmaps/NAME.png, and lightmaps/NAME.exr, the `linear` one: the
-/// irradiance in W/m^2. The `extras` of each material name its light map, with scale and exposure.
-/// Emission is in W/m^2. Returns warnings for the user. Throws InputError where a file cannot be written.
+/// and those in light maps as second ones; per texture lightmaps/NAME.png, and lightmaps/NAME.exr, the `linear` one:
+/// the irradiance in W/m^2. The `extras` of each material name its light map, with scale and exposure. Emission is in
+/// W/m^2. Returns warnings for the user. Throws InputError where a file cannot be written.
 std::vector<std::string> writeLightMaps(const std::filesystem::path& folder, const LightMaps& maps, Scene scene,
                                         const Discretization& discretization, const TextureLayout& layout,
                                         const std::vector<Image>& linear, const PictureView& view);

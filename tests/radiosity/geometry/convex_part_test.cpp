@@ -28,7 +28,8 @@ TEST_CASE("fromPoint of a rectangle over a corner is the closed form", "[convex_
     }
 }
 
-TEST_CASE("inFrontOf keeps the part above the horizon, with which fromPoint of a wall is half of all", "[convex_part]") {
+TEST_CASE("inFrontOf keeps the part above the horizon, with which fromPoint of a wall is half of all",
+          "[convex_part]") {
   const double far = 1e6;
   const glm::dvec3 up(0, 0, 1), corners[4]{{1, -far, -far}, {1, -far, far}, {1, far, far}, {1, far, -far}};
   double sum = 0;

@@ -35,8 +35,7 @@ double toRectangle(const glm::dvec3& point, double low) {
 
 TEST_CASE("DirectLight of a face behind an edge is the closed form of its visible part", "[direct_light]") {
   Scene scene = floorUnderSheet();
-  scene.surfaces.push_back(
-      quad("lamp", {{{-0.25, 1, -0.25}, {0.25, 1, -0.25}, {0.25, 1, 0.25}, {-0.25, 1, 0.25}}}, 1));
+  scene.surfaces.push_back(quad("lamp", {{{-0.25, 1, -0.25}, {0.25, 1, -0.25}, {0.25, 1, 0.25}, {-0.25, 1, 0.25}}}, 1));
   const Discretization discretization = discretize(scene, {.texels = 1});
   const DirectLight direct(scene, discretization);
   REQUIRE(direct.count() == 1);

@@ -59,8 +59,7 @@ TEST_CASE("gather without interpolation is the row of each texel times the radio
   for (std::uint32_t s = 0; s < room.scene.surfaces.size(); ++s)
     for (std::size_t texel : {0, 8, 35}) {
       const glm::dvec2 corner = 0.5 * glm::dvec2(texel % 6, texel / 6);
-      const auto block =
-          shootingBlock(room.scene.surfaces[s], room.discretization.grids[s], corner, glm::dvec2(0.5));
+      const auto block = shootingBlock(room.scene.surfaces[s], room.discretization.grids[s], corner, glm::dvec2(0.5));
       const FormFactorRow row = rows.uncorrected().from(s, block->centre);
       glm::dvec3 sum(0);
       for (std::size_t i = 0; i < row.elements.size(); ++i)
