@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "radiosity/discretization/discretize.h"
 #include "radiosity/discretization/element_materials.h"
 #include "radiosity/form_factors/projected_form_factors.h"
 #include "radiosity/form_factors/scene_form_factors.h"
@@ -136,17 +137,36 @@ struct TexelNumber {
   std::size_t texel = 0;
 };
 
+/// The radiosity of elements with the ambient estimate, without the emission that `direct` has.
+BandTable radiosityOf(const Scene& scene, const Discretization& discretization, const Solution& solution,
+                      const DirectLight& direct) {
+  const ElementMaterials materials(scene, discretization);
+  const Bands ambient = lightInBands(scene, solution.ambient);
+  BandTable table(discretization.elements.size(), materials.bands());
+  for (std::uint32_t e = 0; e < table.size(); ++e) {
+    const std::uint32_t surface = discretization.elements[e].surface;
+    if (!solution.radiosityInBands.empty())
+      set(table[e], solution.radiosityInBands[e]);
+    else
+      for (int band = 0; band < 3; ++band) table[e][static_cast<std::size_t>(band)] = solution.radiosity[e][band];
+    const std::span<const double> reflectance = materials.reflectance(surface, e);
+    for (std::size_t band = 0; band < table.bands; ++band) table[e][band] += reflectance[band] * ambient[band];
+    if (direct.hasEmissionOf(surface)) addTo(table[e], materials.emission(surface, e), -1);
+  }
+  return table;
+}
+
 /// The light that texels see in elements.
 class SeenElements {
  public:
-  SeenElements(const Scene& scene, const Discretization& discretization, const IdLayout& layout,
-               const Solution& solution, const DirectLight& direct, int resolution)
+  SeenElements(const Scene& scene, const Discretization& discretization, const IdLayout& layout, BandTable radiosity,
+               int resolution)
       : renderer_(sceneRenderer(scene, discretization, layout, ElementsBy::Texture)),
         rows_([&scene, &discretization, &layout, resolution, this] {
           return ProjectedFormFactors(scene, discretization, layout, *renderer_, {.resolution = resolution});
         }),
         sky_(lightInBands(scene, scene.outside.sky)),
-        radiosity_(radiosityOf(scene, discretization, solution, direct)) {}
+        radiosity_(std::move(radiosity)) {}
 
   Bands irradiance(const LitPlace& place) {
     Bands sum(radiosity_.bands);
@@ -160,25 +180,6 @@ class SeenElements {
   }
 
  private:
-  /// The radiosity of elements with the ambient estimate, without the emission that `direct` has.
-  static BandTable radiosityOf(const Scene& scene, const Discretization& discretization, const Solution& solution,
-                               const DirectLight& direct) {
-    const ElementMaterials materials(scene, discretization);
-    const Bands ambient = lightInBands(scene, solution.ambient);
-    BandTable table(discretization.elements.size(), materials.bands());
-    for (std::uint32_t e = 0; e < table.size(); ++e) {
-      const std::uint32_t surface = discretization.elements[e].surface;
-      if (!solution.radiosityInBands.empty())
-        set(table[e], solution.radiosityInBands[e]);
-      else
-        for (int band = 0; band < 3; ++band) table[e][static_cast<std::size_t>(band)] = solution.radiosity[e][band];
-      const std::span<const double> reflectance = materials.reflectance(surface, e);
-      for (std::size_t band = 0; band < table.bands; ++band) table[e][band] += reflectance[band] * ambient[band];
-      if (direct.hasEmissionOf(surface)) addTo(table[e], materials.emission(surface, e), -1);
-    }
-    return table;
-  }
-
   std::unique_ptr<raster::ItemBufferRenderer> renderer_;
   raster::Pool<ProjectedFormFactors> rows_;
   Bands sky_;
@@ -419,36 +420,108 @@ std::vector<glm::dvec3> coloursOf(const Scene& scene, const Discretization& disc
   return result;
 }
 
+/// The number of texels along the side of a grid texel, by surface.
+using Magnifications = std::vector<int>;
+
+/// What all gathers of a solution share.
+struct Gathering {
+  const Scene& scene;
+  const Discretization& discretization;
+  const DirectLight& direct;
+  const GatherSettings& settings;
+};
+
+/// The texels of all surfaces with their light from elements and sources. Adds to the counts of `result`.
+std::vector<Texels> litTexels(const Gathering& of, SeenElements& seen, const Magnifications& magnifications,
+                              const std::function<void(double)>& progress, GatheredLight& result) {
+  const std::vector<glm::dvec3> normals = normalsOf(of.scene, of.discretization);
+  std::vector<Texels> all(of.scene.surfaces.size());
+  raster::parallelFor(all.size(), [&](std::size_t s) {
+    all[s] = texelsOf(of.scene, of.discretization, normals, static_cast<std::uint32_t>(s), magnifications[s]);
+  });
+  Interpolation interpolation(seen, all, of.settings);
+  interpolation.run(progress);
+  result.drawn += interpolation.drawn();
+  result.error = interpolation.error();
+  raster::parallelFor(all.size(), [&](std::size_t s) {
+    for (std::size_t source = 0; source < of.direct.count(); ++source) addSource(of.direct, source, all[s]);
+  });
+  return all;
+}
+
+/// How much finer the elements of surfaces become, so that they have as many as the settings ask along the longer side;
+/// not more than there are texels, and 1 for all where that would be too many.
+Magnifications finerElements(const Gathering& of, const Magnifications& texels) {
+  constexpr std::size_t mostElements = std::size_t{1} << 20;
+  Magnifications finer(texels.size(), 1);
+  std::size_t count = 0;
+  for (std::size_t s = 0; s < finer.size(); ++s) {
+    const Grid& grid = of.discretization.grids[s];
+    while (isDiscretized(grid) && 2 * finer[s] <= texels[s] &&
+           finer[s] * std::max(grid.columns, grid.rows) < of.settings.elements)
+      finer[s] *= 2;
+    count += static_cast<std::size_t>(grid.columns * finer[s]) * static_cast<std::size_t>(grid.rows * finer[s]);
+  }
+  return count <= mostElements ? finer : Magnifications(texels.size(), 1);
+}
+
+/// Surfaces divided into finer elements; solids bury what they bury in the discretization.
+Discretization dividedFiner(const Gathering& of, const Magnifications& finer) {
+  DiscretizationSettings settings{.isUnburied = true};
+  for (std::size_t s = 0; s < finer.size(); ++s) {
+    const Grid& grid = of.discretization.grids[s];
+    settings.surfaceTexels[of.scene.surfaces[s].name] = {grid.columns * finer[s], grid.rows * finer[s]};
+    settings.isUnburied = settings.isUnburied && grid.cutTexels.empty();
+  }
+  return discretize(of.scene, settings);
+}
+
+/// The radiosity of finer elements, one per texel of `all`, without the emission of sources.
+BandTable radiosityOf(const Gathering& of, const Discretization& finer, const std::vector<Texels>& all) {
+  const ElementMaterials materials(of.scene, finer);
+  BandTable table(finer.elements.size(), materials.bands());
+  for (std::uint32_t e = 0; e < table.size(); ++e) {
+    const auto& [area, surface, texel] = finer.elements[e];
+    const std::span<const double> reflectance = materials.reflectance(surface, e), light = all[surface].light[texel];
+    for (std::size_t band = 0; band < table.bands; ++band) table[e][band] = reflectance[band] * light[band];
+    if (!of.direct.hasEmissionOf(surface)) addTo(table[e], materials.emission(surface, e));
+  }
+  return table;
+}
+
 }  // namespace
 
 GatheredLight gather(const Scene& scene, const Discretization& discretization, const IdLayout& layout,
                      const TextureLayout& textures, const Solution& solution, const GatherSettings& settings,
                      const std::function<void(double)>& progress) {
   const DirectLight direct(scene, discretization);
-  SeenElements seen(scene, discretization, layout, solution, direct, settings.resolution);
-  const auto magnificationOf = [&](std::uint32_t s) {
-    return textures.textures[static_cast<std::size_t>(textures.places[s].texture)].magnification;
-  };
-  const std::vector<glm::dvec3> normals = normalsOf(scene, discretization);
-  std::vector<Texels> all(scene.surfaces.size());
+  const Gathering of{scene, discretization, direct, settings};
+  Magnifications magnifications;
+  for (const TexturePlace& place : textures.places)
+    magnifications.push_back(textures.textures[static_cast<std::size_t>(place.texture)].magnification);
+  GatheredLight result;
+  SeenElements seen(scene, discretization, layout, radiosityOf(scene, discretization, solution, direct),
+                    settings.resolution);
+  const Magnifications finer = finerElements(of, magnifications);
+  std::vector<Texels> all;
+  if (std::all_of(finer.begin(), finer.end(), [](int m) { return m == 1; })) {
+    all = litTexels(of, seen, magnifications, progress, result);
+  } else {
+    const Discretization divided = dividedFiner(of, finer);
+    const IdLayout finerLayout = layOut(divided);
+    SeenElements seenFiner(scene, divided, finerLayout,
+                           radiosityOf(of, divided, litTexels(of, seen, finer, progress, result)), settings.resolution);
+    all = litTexels(of, seenFiner, magnifications, progress, result);
+  }
+  const ElementMaterials materials(scene, discretization);
+  result.irradiance.resize(all.size());
   raster::parallelFor(all.size(), [&](std::size_t s) {
-    const auto surface = static_cast<std::uint32_t>(s);
-    all[s] = texelsOf(scene, discretization, normals, surface, magnificationOf(surface));
+    result.irradiance[s] =
+        coloursOf(scene, discretization, materials, static_cast<std::uint32_t>(s), magnifications[s], all[s]);
   });
-  Interpolation interpolation(seen, all, settings);
-  interpolation.run(progress);
-  GatheredLight result{std::vector<std::vector<glm::dvec3>>(all.size()), 0, interpolation.drawn(),
-                       interpolation.error()};
   for (const Texels& texels : all)
     result.texels += static_cast<std::size_t>(
         std::count_if(texels.places.begin(), texels.places.end(), [](const auto& place) { return place.has_value(); }));
-  const ElementMaterials materials(scene, discretization);
-  raster::parallelFor(all.size(), [&](std::size_t s) {
-    const auto surface = static_cast<std::uint32_t>(s);
-    for (std::size_t source = 0; source < direct.count(); ++source) addSource(direct, source, all[s]);
-    result.irradiance[s] = coloursOf(scene, discretization, materials, surface, magnificationOf(surface), all[s]);
-    all[s] = {};
-  });
   return result;
 }
 

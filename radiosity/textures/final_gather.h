@@ -26,6 +26,9 @@
 namespace hemitex::radiosity {
 
 struct GatherSettings {
+  /// Surfaces with fewer elements along the longer side are divided finer, and get the light of their elements by a
+  /// first gather. At most the texels of their display textures; 1: none is divided.
+  int elements = 64;
   int resolution = 64;       ///< pixels along the side of a hemicube; even, 2 to 4096
   double even = 0.04;        ///< cells whose corners differ by no more than this share are interpolated
   double tolerance = 0.015;  ///< cells whose middle differs from their corners by more than this share are divided

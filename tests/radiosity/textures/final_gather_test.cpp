@@ -53,7 +53,7 @@ TEST_CASE("gather without interpolation is the row of each texel times the radio
   Room room(closedCube(glm::dvec3(0.5), glm::dvec3(0)), 3, 2);
   for (std::uint32_t e = 0; e < room.discretization.elements.size(); ++e)
     room.solution.radiosity.emplace_back(0.1 + 0.17 * (e % 9), 2.5 / (1 + e), e % 2);
-  const GatheredLight light = room.gathered({.resolution = 32, .even = 0, .tolerance = 0});
+  const GatheredLight light = room.gathered({.elements = 1, .resolution = 32, .even = 0, .tolerance = 0});
   CHECK(light.drawn == light.texels);
   SceneFormFactors rows(room.scene, room.discretization, room.layout, {.resolution = 32});
   for (std::uint32_t s = 0; s < room.scene.surfaces.size(); ++s)
