@@ -28,6 +28,8 @@ constexpr int largestCell = 16;
 constexpr double mostSpread = 0.5;
 /// One of this number of interpolated texels is drawn, to measure the error.
 constexpr std::size_t texelsPerCheck = 256;
+/// Texels that see a larger share of backs are inside a solid.
+constexpr double mostBacks = 0.99;
 /// Rays of a texel to a source, of which all or none must arrive there and at its neighbours.
 constexpr std::uint32_t fewRays = 8;
 
@@ -168,15 +170,18 @@ class SeenElements {
         sky_(lightInBands(scene, scene.outside.sky)),
         radiosity_(std::move(radiosity)) {}
 
-  Bands irradiance(const LitPlace& place) {
-    Bands sum(radiosity_.bands);
+  /// Nothing inside solids, where texels at contacts may be by rounding.
+  std::optional<Bands> irradiance(const LitPlace& place) {
+    std::optional<Bands> result;
     rows_.with([&](ProjectedFormFactors& rows) {
       const FormFactorRow row = rows.from(place.surface, place.point);
+      if (formFactor(row.back) > mostBacks) return;
+      Bands& sum = result.emplace(radiosity_.bands);
       for (std::size_t i = 0; i < row.elements.size(); ++i)
         addTo(sum, radiosity_[row.elements[i]], formFactor(row.shares[i]));
       addTo(sum, sky_, formFactor(row.background));
     });
-    return sum;
+    return result;
   }
 
  private:
@@ -250,7 +255,11 @@ class Interpolation {
     drawn_ += numbers.size();
     raster::parallelFor(numbers.size(), [&](std::size_t i) {
       Texels& texels = all_[numbers[i].surface];
-      set(texels.light[numbers[i].texel], seen_.irradiance(*texels.places[numbers[i].texel]));
+      std::optional<LitPlace>& place = texels.places[numbers[i].texel];
+      if (const auto light = seen_.irradiance(*place))
+        set(texels.light[numbers[i].texel], *light);
+      else
+        place.reset();
     });
   }
 
@@ -338,7 +347,7 @@ class Interpolation {
     std::vector<double> squares(checks_.size());
     raster::parallelFor(checks_.size(), [&](std::size_t i) {
       const Texels& texels = all_[checks_[i].surface];
-      const double light = bandSum(seen_.irradiance(*texels.places[checks_[i].texel]));
+      const double light = bandSum(seen_.irradiance(*texels.places[checks_[i].texel]).value_or(Bands()));
       const double difference = bandSum(texels.light[checks_[i].texel]) - light;
       squares[i] = light > 0 ? difference * difference / (light * light) : 0;
     });
