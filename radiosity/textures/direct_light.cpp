@@ -59,6 +59,19 @@ glm::dvec3 pointOf(const std::vector<Corners>& triangles, bool isParallelogram, 
   return a + root * ((1 - at.y) * (b - a) + at.y * (c - a));
 }
 
+/// Points near the corners of a face, each once, moved by `lift`.
+std::vector<glm::dvec3> cornersOf(const std::vector<Corners>& triangles, const glm::dvec3& lift) {
+  constexpr double inwards = 1 / 128.0;
+  std::vector<glm::dvec3> known, corners;
+  for (const Corners& triangle : triangles)
+    for (const glm::dvec3& corner : triangle) {
+      if (std::find(known.begin(), known.end(), corner) != known.end()) continue;
+      known.push_back(corner);
+      corners.push_back(glm::mix(corner, (triangle[0] + triangle[1] + triangle[2]) / 3.0, inwards) + lift);
+    }
+  return corners;
+}
+
 }  // namespace
 
 DirectLight::DirectLight(const Scene& scene, const Discretization& discretization)
@@ -130,6 +143,7 @@ void DirectLight::addFaces() {
     count += faces.size();
     areSources_[surface] = true;
     for (Source& face : faces) {
+      face.corners = cornersOf(face.triangles, height_ * face.normal);
       const bool isQuad = isParallelogram(face.triangles, height_);
       for (std::uint32_t k = 0; k < maxRays; ++k)
         face.points.push_back(pointOf(face.triangles, isQuad, netPoint(k)) + height_ * face.normal);
@@ -155,27 +169,45 @@ double DirectLight::factor(std::size_t number, const SurfacePoint& point) const 
   return std::min(sum, 1.0);
 }
 
-double DirectLight::visibleShare(std::size_t number, const LitPlace& place, std::uint32_t rays) const {
-  const Source& source = sources_[number];
-  double seen = 0, all = 0;
-  for (std::uint32_t k = 0; k < rays; ++k) {
-    const glm::dvec2 at = spreadPoint(k) - 0.5;
-    SurfacePoint point = place.point;
-    point.position += at.x * place.along1 + at.y * place.along2;
-    const glm::dvec3 start = eyeOver(scene_, place.surface, point);
-    const bool isSun = source.points.empty(), isFace = !source.triangles.empty();
-    const glm::dvec3 way = isSun ? source.towards : source.points[isFace ? k : 0] - start;
-    double weight = 1;
-    if (isFace) {
-      const double squared = glm::dot(way, way);
-      const double cosines = std::max(glm::dot(point.normal, way), 0.0) * std::max(-glm::dot(source.normal, way), 0.0);
-      weight = squared > 0 ? cosines / (squared * squared) : 0;
-    }
-    if (!(weight > 0)) continue;
-    all += weight;
-    if (!rays_.isBlocked(start, way, isSun ? std::numeric_limits<double>::infinity() : 1)) seen += weight;
+void DirectLight::addRay(const Source& source, const LitPlace& place, const glm::dvec2& at, const glm::dvec3& to,
+                         Seen& sum) const {
+  SurfacePoint point = place.point;
+  point.position += at.x * place.along1 + at.y * place.along2;
+  const glm::dvec3 start = eyeOver(scene_, place.surface, point);
+  const bool isSun = source.points.empty();
+  const glm::dvec3 way = isSun ? source.towards : to - start;
+  double weight = 1;
+  if (!source.triangles.empty()) {
+    const double squared = glm::dot(way, way);
+    const double cosines = std::max(glm::dot(point.normal, way), 0.0) * std::max(-glm::dot(source.normal, way), 0.0);
+    weight = squared > 0 ? cosines / (squared * squared) : 0;
   }
-  return all > 0 ? seen / all : 0;
+  if (!(weight > 0)) return;
+  sum.all += weight;
+  if (!rays_.isBlocked(start, way, isSun ? std::numeric_limits<double>::infinity() : 1)) sum.seen += weight;
+}
+
+const glm::dvec3& DirectLight::pointOfRay(const Source& source, std::uint32_t k) {
+  if (source.points.empty()) return source.towards;
+  return source.points[k < source.points.size() ? k : 0];
+}
+
+double DirectLight::visibleShare(std::size_t number, const LitPlace& place) const {
+  const Source& source = sources_[number];
+  Seen sum;
+  for (std::uint32_t k = 0; k < maxRays; ++k) addRay(source, place, spreadPoint(k) - 0.5, pointOfRay(source, k), sum);
+  return sum.share();
+}
+
+double DirectLight::probedShare(std::size_t number, const LitPlace& place) const {
+  constexpr double side = 0.49;
+  const Source& source = sources_[number];
+  Seen sum;
+  std::uint32_t k = 0;
+  for (const double x : {-side, side})
+    for (const double y : {-side, side}) addRay(source, place, {x, y}, pointOfRay(source, k++), sum);
+  for (const glm::dvec3& corner : source.corners) addRay(source, place, {0, 0}, corner, sum);
+  return sum.share();
 }
 
 }  // namespace hemitex::radiosity

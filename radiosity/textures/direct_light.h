@@ -28,7 +28,7 @@ struct LitPlace {
 
 class DirectLight {
  public:
-  /// Rays from a place to a source of light at most.
+  /// Rays from a place to a source of light.
   static constexpr std::uint32_t maxRays = 64;
 
   /// The sources are suns, lamps that are points, and planar emitting faces without maps: those of the surfaces with
@@ -42,20 +42,33 @@ class DirectLight {
   std::span<const double> light(std::size_t source) const { return sources_[source].light; }
   /// The factor of the irradiance at a point that sees all of the source; 0 behind the horizon.
   double factor(std::size_t source, const SurfacePoint& point) const;
-  /// The visible share of a source in [0, 1], by the first rays of maxRays, weighted by the light along each.
-  double visibleShare(std::size_t source, const LitPlace& place, std::uint32_t rays) const;
+  /// The visible share of a source in [0, 1], by maxRays rays, weighted by the light along each.
+  double visibleShare(std::size_t source, const LitPlace& place) const;
+  /// The same by few rays, among them those from the corners of the place and those to the corners of the source, at
+  /// which a shadow begins. 0 and 1 mean that probably nothing of it is visible, or all.
+  double probedShare(std::size_t source, const LitPlace& place) const;
 
  private:
   /// A sun has `towards`, a lamp a point, and a face triangles with points.
   struct Source {
     Bands light;
     std::vector<std::array<glm::dvec3, 3>> triangles = {};
-    glm::dvec3 normal{0.0};  ///< of the triangles
-    std::vector<glm::dvec3> points = {};
+    glm::dvec3 normal{0.0};               ///< of the triangles
+    std::vector<glm::dvec3> points = {};  ///< maxRays of a face
+    std::vector<glm::dvec3> corners = {};
     std::optional<LampCone> cone = {};
     glm::dvec3 towards{0.0};
   };
 
+  struct Seen {
+    double seen = 0, all = 0;
+    double share() const { return all > 0 ? seen / all : 0; }
+  };
+
+  /// Adds the ray from a point of a place, in its sides from the middle, to a point of a source.
+  void addRay(const Source& source, const LitPlace& place, const glm::dvec2& at, const glm::dvec3& to, Seen& sum) const;
+  /// The point of a source for ray k.
+  static const glm::dvec3& pointOfRay(const Source& source, std::uint32_t k);
   void addSuns();
   void addLamps();
   void addFaces();

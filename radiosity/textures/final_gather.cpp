@@ -30,8 +30,6 @@ constexpr double mostSpread = 0.5;
 constexpr std::size_t texelsPerCheck = 256;
 /// Texels that see a larger share of backs are inside a solid.
 constexpr double mostBacks = 0.99;
-/// Rays of a texel to a source, of which all or none must arrive there and at its neighbours.
-constexpr std::uint32_t fewRays = 8;
 
 enum class State : std::uint8_t { Unknown, Drawn, Interpolated };
 
@@ -378,8 +376,7 @@ void addSource(const DirectLight& direct, std::size_t source, Texels& texels) {
     const std::size_t texel = texels.at(column, row);
     if (!texels.places[texel]) return;
     factors[texel] = direct.factor(source, texels.places[texel]->point);
-    if (factors[texel] > 0)
-      shares[texel] = static_cast<float>(direct.visibleShare(source, *texels.places[texel], fewRays));
+    if (factors[texel] > 0) shares[texel] = static_cast<float>(direct.probedShare(source, *texels.places[texel]));
   });
   // Whether a source is seen in part at a texel, or in another way than at a neighbour.
   const auto isUneven = [&](int column, int row) {
@@ -393,9 +390,8 @@ void addSource(const DirectLight& direct, std::size_t source, Texels& texels) {
   forEachTexel([&](int column, int row) {
     const std::size_t texel = texels.at(column, row);
     if (shares[texel] == behind) return;
-    const double share = isUneven(column, row)
-                             ? direct.visibleShare(source, *texels.places[texel], DirectLight::maxRays)
-                             : double{shares[texel]};
+    const double share =
+        isUneven(column, row) ? direct.visibleShare(source, *texels.places[texel]) : double{shares[texel]};
     addTo(texels.light[texel], direct.light(source), factors[texel] * share);
   });
 }

@@ -48,8 +48,12 @@ TEST_CASE("DirectLight of a face behind an edge is the closed form of its visibl
     CHECK(direct.factor(0, place.point) == Approx(all).epsilon(1e-12));
     // The line from the place to a point e of the lamp passes beside the sheet if e.x > -x.
     const double low = std::clamp(-place.point.position.x, -0.25, 0.25);
-    const double seen = direct.factor(0, place.point) * direct.visibleShare(0, place, DirectLight::maxRays);
+    const double seen = direct.factor(0, place.point) * direct.visibleShare(0, place);
     CHECK(seen == Approx(toRectangle(place.point.position, low)).margin(0.02 * all));
+    const double probed = direct.probedShare(0, place);
+    const double aside = std::abs(place.point.position.x);
+    if (aside < 0.24) CHECK((probed > 0 && probed < 1));
+    if (aside > 0.26) CHECK(probed == (place.point.position.x > 0 ? 1 : 0));
   }
   // The lamp has no light on its back.
   CHECK(direct.factor(0, {{0, 2, 0}, {0, -1, 0}, 0}) == 0);
@@ -68,12 +72,14 @@ TEST_CASE("DirectLight of a lamp and a sun is their closed form, and nothing bel
   CHECK(direct.light(1)[0] == 2);  // 8 W/sr over 4 m^2 per square unit
   CHECK(direct.factor(1, open.point) == Approx(2 / std::pow(5, 1.5)));
   for (const std::size_t source : {0, 1}) {
-    CHECK(direct.visibleShare(source, open, 8) == 1);
-    CHECK(direct.visibleShare(source, hidden, 8) == 0);
+    CHECK(direct.visibleShare(source, open) == 1);
+    CHECK(direct.visibleShare(source, hidden) == 0);
+    CHECK(direct.probedShare(source, open) == 1);
+    CHECK(direct.probedShare(source, hidden) == 0);
   }
   // The sun's shadow ends at x = -1/4, of which a texel around it has half.
   LitPlace edge = onFloor(-0.25, 0);
   edge.along1 = {0.1, 0, 0};
   edge.along2 = {0, 0, 0.1};
-  CHECK(direct.visibleShare(0, edge, DirectLight::maxRays) == Approx(0.5).margin(0.02));
+  CHECK(direct.visibleShare(0, edge) == Approx(0.5).margin(0.02));
 }
