@@ -127,6 +127,16 @@ void addTextureOptions(Command command, SolveOptions& options) {
              "surface has at least 128 texels along its longer side, and all have at most 2^26)");
 }
 
+/// Adds the final gather, which has no use for filters.
+void addGather(Command command, SolveOptions& options) {
+  command = command.under("Output");
+  command
+      .addFlag("--gather", options.gather,
+               "compute the light of each texel of display textures, light maps and NAME.exr from all that the texel "
+               "sees, instead of filtering elements: sharp shadows, dark corners, no mottling")
+      .excludes(command.option("--filter"));
+}
+
 /// The option of all commands, which the help of this one shows, too.
 void addInsist(Command command, bool& insists) {
   command.under("Accuracy and memory")
@@ -206,6 +216,7 @@ void addSolveOptions(Command command, SolveOptions& options, Context& context) {
   addChosenSettings(command, options);
   addInsist(command, context.insists);
   addTextureOptions(command, options);
+  addGather(command, options);
   addOmissions(command, options);
   addCameraOptions(command, options.camera);
   addEdits(command, options.edits);
@@ -254,13 +265,14 @@ void completeOptions(Command command, SolveOptions& options) {
   if (options.adaptive && !options.discretization.texelSize)
     options.discretization.texels = options.discretization.texels.value_or(16);
   completeFacets(options);
-  if (boundsRows(options)) refuseUnused(command, {"--resolution", "--split", "--device"}, "hemicube --max-error for facets");
+  if (boundsRows(options))
+    refuseUnused(command, {"--resolution", "--split", "--device"}, "hemicube --max-error for facets");
   if (boundsLight(options)) {
     if (command.isGiven("--resolution")) options.coarsest.resolution = options.drawing.resolution;
     if (command.isGiven("--split")) options.coarsest.split = options.drawing.split;
   }
   if (!hasTextures(options))
-    for (const char* ofTextures : {"--filter", "--magnify"})
+    for (const char* ofTextures : {"--filter", "--magnify", "--gather"})
       if (command.isGiven(ofTextures)) usageError(ofTextures, "is of textures, which --no-textures leaves out");
   if (const auto projection = projectionNamed(options.method)) options.drawing.projection = *projection;
   options.solver.keepsIrradiance = options.lightmap;
@@ -305,6 +317,8 @@ TextureFilter filterOf(const SolveOptions& options) {
 }
 
 radiosity::Magnification magnificationOf(const SolveOptions& options) {
+  // A gathered texel takes much more time than a filtered one.
+  if (options.gather) return {options.magnification, std::int64_t{1} << 22};
   if (filterOf(options) == TextureFilter::OneToOne) return {options.magnification.value_or(1)};
   return {options.magnification};
 }

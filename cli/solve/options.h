@@ -42,6 +42,7 @@ struct SolveOptions {
   bool isContinued = false;               ///< keep what updates of the solution need
   radiosity::Messenger* ranks = nullptr;  ///< the ranks that share rows; null if this process is alone
   bool report = false;                    ///< also write report.html
+  bool gather = false;                    ///< textures have gathered light
   bool lightmap = false;                  ///< also write lightmap.glb and light maps
   bool noElements = false;                ///< do not write elements.csv
   bool noTextures = false;                ///< do not write textures, nor the lit scene, which shows them

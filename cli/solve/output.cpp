@@ -17,6 +17,7 @@
 #include "radiosity/pictures/pictures.h"
 #include "radiosity/scene/load_scene.h"
 #include "radiosity/scene/surface_names.h"
+#include "radiosity/textures/final_gather.h"
 #include "radiosity/textures/light_maps.h"
 #include "radiosity/textures/lit_scene.h"
 #include "radiosity/textures/radiosity_texture.h"
@@ -71,9 +72,15 @@ std::vector<std::string> writeLightMaps(const std::filesystem::path& folder, con
                                         const radiosity::TextureLayout& layout, const radiosity::PictureView& view) {
   std::vector<glm::dvec3> irradiance = solved.solution.irradiance;
   for (glm::dvec3& value : irradiance) value += solved.solution.ambient;
-  const radiosity::LightMaps maps = radiosity::makeLightMaps(solved.scene, solved.discretization, layout, irradiance,
-                                                             exposureOf(solved), filterOf(solved.options));
-  return radiosity::writeLightMaps(folder, maps, solved.scene, solved.discretization, layout, irradiance, view);
+  const std::vector<radiosity::Image> linear =
+      solved.gathered ? radiosity::irradianceTextures(solved.discretization, layout, *solved.gathered)
+                      : radiosity::radiosityTextures(solved.discretization, layout, irradiance);
+  const radiosity::LightMaps maps =
+      solved.gathered
+          ? radiosity::makeLightMaps(solved.scene, solved.discretization, *solved.gathered, linear, exposureOf(solved))
+          : radiosity::makeLightMaps(solved.scene, solved.discretization, layout, irradiance, exposureOf(solved),
+                                     filterOf(solved.options));
+  return radiosity::writeLightMaps(folder, maps, solved.scene, solved.discretization, layout, linear, view);
 }
 
 }  // namespace
@@ -102,9 +109,25 @@ double exposureOf(const SolvedScene& solved) {
                                     solved.options.camera.width, solved.options.camera.height);
 }
 
+std::optional<radiosity::GatheredLight> gatheredLight(const SolvedScene& solved, Console& console) {
+  if (!solved.options.gather) return std::nullopt;
+  radiosity::GatheredLight light =
+      radiosity::gather(solved.scene, solved.discretization, solved.layout, texturesOf(solved), solved.solution, {},
+                        [&](double done) { console.progress(done, "gathering"); });
+  console.endProgress();
+  return light;
+}
+
 std::optional<radiosity::LitScene> litScene(const SolvedScene& solved) {
   if (solved.options.noTextures) return std::nullopt;
-  return radiosity::makeLitScene(solved.scene, solved.discretization, texturesOf(solved),
+  const radiosity::TextureLayout layout = texturesOf(solved);
+  if (solved.gathered)
+    return radiosity::makeLitScene(
+        solved.scene, solved.discretization, layout,
+        radiosity::codedTextures(
+            radiosity::radiosityTextures(solved.scene, solved.discretization, layout, *solved.gathered),
+            exposureOf(solved)));
+  return radiosity::makeLitScene(solved.scene, solved.discretization, layout,
                                  radiosity::displayValues(solved.scene, solved.discretization, solved.solution),
                                  exposureOf(solved), filterOf(solved.options));
 }
@@ -116,7 +139,12 @@ std::vector<std::string> writeSolved(const std::filesystem::path& folder, const 
                                     radiosity::upAxis(solved.scene, options.camera.upAxis),
                                     options.metresPerUnit.value_or(1)};
   std::vector<std::string> warnings;
-  if (lit) warnings = radiosity::writeLitScene(folder, *lit, view, solved.discretization, solved.solution.radiosity);
+  if (lit)
+    warnings = radiosity::writeLitScene(
+        folder, *lit, view,
+        solved.gathered
+            ? radiosity::radiosityTextures(solved.scene, solved.discretization, lit->layout, *solved.gathered)
+            : radiosity::radiosityTextures(solved.discretization, lit->layout, solved.solution.radiosity));
   if (lit && !solved.scene.wavelengths.empty())  // in place of the textures of the colour alone
     radiosity::writeBandTextures(folder, solved.discretization, lit->layout, solved.solution, solved.scene.wavelengths);
   if (options.lightmap)

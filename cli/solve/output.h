@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/common/console.h"
 #include "cli/solve/solution_json.h"
 
 namespace hemitex::cli {
@@ -20,6 +21,9 @@ std::set<std::string> outputNames(const SolveOptions& options, const radiosity::
 
 /// The given exposure, or that of the picture (see pictureExposure).
 double exposureOf(const SolvedScene& solved);
+
+/// The light that --gather asks for; nothing without. Shows its progress.
+std::optional<radiosity::GatheredLight> gatheredLight(const SolvedScene& solved, Console& console);
 
 /// The lit scene, with the display textures of the options; nothing with --no-textures.
 std::optional<radiosity::LitScene> litScene(const SolvedScene& solved);

@@ -8,6 +8,7 @@
 #include "cli/common/numbers.h"
 #include "cli/solve/options.h"
 #include "radiosity/index_maps/phantom_indices.h"
+#include "radiosity/textures/final_gather.h"
 #include "radiosity/textures/lit_scene.h"
 #include "reference/base/hashes/sha256.h"
 
@@ -175,6 +176,16 @@ std::string fluxText(const ordered_json& energy, bool areWavelengths) {
   return text.str();
 }
 
+/// What was gathered, with the error between drawn texels.
+std::string gatherText(const ordered_json& solution) {
+  const auto gather = solution.find("gather");
+  if (gather == solution.end()) return "";
+  std::ostringstream text;
+  text << (*gather)["drawn"] << " of " << (*gather)["texels"] << " texels gathered their light; between them the rms "
+       << "error is " << percentText((*gather)["error"]) << '\n';
+  return text.str();
+}
+
 /// The unit of lengths, if the options or the scene state it.
 std::string unitText(const ordered_json& settings) {
   const auto metres = settings.find("metres_per_unit");
@@ -233,7 +244,8 @@ ordered_json solutionSettings(const SolveOptions& options) {
 ordered_json description(const SolvedScene& solved, const std::optional<radiosity::LitScene>& lit) {
   const SolveOptions& options = solved.options;
   ordered_json settings = solutionSettings(options);
-  settings.update({{"filter", hasTextures(options) ? ordered_json(nameOf(filterOf(options))) : ordered_json()},
+  const bool isFiltered = hasTextures(options) && !options.gather;
+  settings.update({{"filter", isFiltered ? ordered_json(nameOf(filterOf(options))) : ordered_json()},
                    {"magnify", orNull(options.magnification)},
                    {"camera", toJson(solved.camera)},
                    {"size", {options.camera.width, options.camera.height}},
@@ -261,6 +273,9 @@ ordered_json description(const SolvedScene& solved, const std::optional<radiosit
       {"residual", solved.solution.residual},
       {"ended_by", endOf(solved.solution, options.solver)},
       {"energy", energyJson(solved, isLitFromOutside, squareMetres)}};
+  if (solved.gathered)
+    text["gather"] = {
+        {"texels", solved.gathered->texels}, {"drawn", solved.gathered->drawn}, {"error", solved.gathered->error}};
   if (!solved.scene.wavelengths.empty()) text["bands"] = listed(solved.scene, solved.scene.wavelengths);
   return text;
 }
@@ -274,8 +289,9 @@ std::string summary(const ordered_json& solution) {
   if (solution.contains("frames"))
     for (const ordered_json& frame : solution["frames"])
       text << frame["folder"].get<std::string>() << ": " << shotsText(frame, frame["times"]["update_s"]);
-  text << expectedErrorText(solution) << unitText(solution["settings"]) << emissionText(solution)
-       << candelaText(solution["settings"]) << fluxText(solution["energy"], solution.contains("bands"));
+  text << expectedErrorText(solution) << gatherText(solution) << unitText(solution["settings"])
+       << emissionText(solution) << candelaText(solution["settings"])
+       << fluxText(solution["energy"], solution.contains("bands"));
   return text.str();
 }
 

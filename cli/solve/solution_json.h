@@ -13,6 +13,7 @@
 
 namespace hemitex::radiosity {
 struct Discretization;
+struct GatheredLight;
 struct IdLayout;
 struct LitScene;
 struct Scene;
@@ -31,7 +32,8 @@ struct SolvedScene {
   const radiosity::Discretization& discretization;
   const radiosity::IdLayout& layout;
   const radiosity::Solution& solution;
-  std::span<const double> rowErrors = {};  ///< see SolveResult
+  std::span<const double> rowErrors = {};              ///< see SolveResult
+  const radiosity::GatheredLight* gathered = nullptr;  ///< with --gather
 };
 
 /// The area of a surface's elements, and means over this area.

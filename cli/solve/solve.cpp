@@ -19,6 +19,7 @@
 #include "cli/solve/run.h"
 #include "radiosity/discretization/exposure.h"
 #include "radiosity/solver/dynamic_solution.h"
+#include "radiosity/textures/final_gather.h"
 #include "radiosity/textures/lit_scene.h"
 #include "raster/base/file_io.h"
 #include "raster/base/input_error.h"
@@ -67,8 +68,10 @@ ordered_json writeFrame(const std::filesystem::path& folder, std::size_t number,
   laps.lap("update_s");
   const std::string name = "frame-" + std::to_string(number);
   std::filesystem::create_directory(folder / name);
-  const SolvedScene solved{first.options,    first.camera,      dynamic.scene(), dynamic.discretization(),
-                           dynamic.layout(), dynamic.solution()};
+  SolvedScene solved{first.options,    first.camera,      dynamic.scene(), dynamic.discretization(),
+                     dynamic.layout(), dynamic.solution()};
+  const std::optional<radiosity::GatheredLight> gathered = gatheredLight(solved, console);
+  if (gathered) solved.gathered = &*gathered;
   const std::optional<radiosity::LitScene> lit = litScene(solved);
   console.warnings(warningsOf(solved.solution));
   console.warnings(writeSolved(folder / name, solved, lit));
@@ -173,9 +176,11 @@ ordered_json writeResult(const radiosity::Scene& scene, const radiosity::Camera&
                          Laps& laps) {
   Console& console = monitor.console();
   SolveOptions& options = result.options;
-  const SolvedScene solved{
+  SolvedScene solved{
       options,         camera, scene, result.light.discretization, result.light.layout, result.light.solution,
       result.rowErrors};
+  const std::optional<radiosity::GatheredLight> gathered = gatheredLight(solved, console);
+  if (gathered) solved.gathered = &*gathered;
   console.warnings(unitWarning(solved));
   options.camera.exposure = exposureOf(solved);  // also that of all frames
   std::optional<radiosity::LitScene> lit = litScene(solved);

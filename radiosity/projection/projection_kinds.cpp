@@ -218,12 +218,6 @@ std::vector<ProjectionFace> cubeFaces(int resolution) {
   return faces;
 }
 
-/// The intensity of a lamp over its full one.
-double intensityAt(const LampCone& cone, double cosine) {
-  const double ramp = std::clamp((cosine - cone.outerCosine) / (cone.innerCosine - cone.outerCosine), 0.0, 1.0);
-  return ramp * ramp;
-}
-
 /// The shares of a lamp through the pixels of a face, as real numbers, row-major. Per area of the plane at distance 1,
 /// solid angle is 1/s^3 with s the distance. Faces of lamps have many pixels, for which two by two points are enough.
 std::vector<double> lampShares(const ProjectionFace& face, double halfWidth, const std::optional<LampCone>& cone) {
@@ -325,6 +319,11 @@ Projection cubicTetrahedron(int resolution) {
           {runningSums(first), runningSums(others)},
           wholeShare,
           tetrahedronSquaredReach};
+}
+
+double intensityAt(const LampCone& cone, double cosine) {
+  const double ramp = std::clamp((cosine - cone.outerCosine) / (cone.innerCosine - cone.outerCosine), 0.0, 1.0);
+  return ramp * ramp;
 }
 
 double fullSolidAngle(const std::optional<LampCone>& cone) {

@@ -91,6 +91,9 @@ Projection cubicTetrahedron(int resolution);
 /// are equal and above 0.
 std::vector<ProjectionFace> cubicTetrahedronFaces(int resolution);
 
+/// The intensity of a spot over its full one, where a direction makes an angle with this cosine to the axis.
+double intensityAt(const LampCone& cone, double cosine);
+
 /// The solid angle that would have all flux of a lamp at its full intensity, 4 pi without a cone.
 double fullSolidAngle(const std::optional<LampCone>& cone);
 

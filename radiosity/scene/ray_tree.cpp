@@ -255,6 +255,16 @@ void RayTree::appendNear(const glm::dvec3& low, const glm::dvec3& high, std::vec
       });
 }
 
+bool RayTree::isBlocked(const glm::dvec3& origin, const glm::dvec3& direction, double distance) const {
+  bool isFound = false;
+  trace(origin, direction, distance, [&](const TriangleHit& hit, const Leaf& leaf, double& end) {
+    if (leaf.isHidden || (!hit.isFront && leaf.isBacked)) return;
+    isFound = true;
+    end = 0;
+  });
+  return isFound;
+}
+
 bool RayTree::meetsBack(const glm::dvec3& origin, const glm::dvec3& direction, double distance, double cosine) const {
   bool isFound = false;
   trace(origin, direction, distance, [&](const TriangleHit& hit, const Leaf& leaf, double& end) {

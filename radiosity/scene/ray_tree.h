@@ -32,6 +32,8 @@ class RayTree {
   /// The first triangle that a ray meets. If faces are in contact (see contactTolerance), a hit of a back comes first.
   /// The reason: the front of a face that touches another is invisible. Rays pass through backs that are backed.
   std::optional<TriangleHit> firstHit(const glm::dvec3& origin, const glm::dvec3& direction) const;
+  /// Whether a triangle lies on the ray, up to a distance in lengths of its direction; not backs that are backed.
+  bool isBlocked(const glm::dvec3& origin, const glm::dvec3& direction, double distance) const;
   /// Whether the ray meets the back of a triangle that faces along it, up to a distance in lengths of its direction.
   /// "Along" means that the cosine of the angle between the normal and the ray is at least `cosine`.
   bool meetsBack(const glm::dvec3& origin, const glm::dvec3& direction, double distance, double cosine) const;

@@ -28,39 +28,6 @@ Bands ambientEstimate(const Discretization& discretization, const ElementMateria
   return ambient;
 }
 
-/// Converts values in the bands of a scene to colours.
-class BandColours {
- public:
-  explicit BandColours(const Scene& scene)
-      : ofBands_(scene.wavelengths.empty()
-                     ? std::vector<glm::dvec3>{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}
-                     : linearSrgbOfBands(std::vector(scene.wavelengths.rbegin(), scene.wavelengths.rend()))) {
-    if (!scene.wavelengths.empty()) std::reverse(ofBands_.begin(), ofBands_.end());
-  }
-
-  glm::dvec3 of(std::span<const double> values) const {
-    glm::dvec3 colour(0);
-    for (std::size_t band = 0; band < values.size(); ++band) colour += ofBands_[band] * values[band];
-    return colour;
-  }
-  std::vector<glm::dvec3> of(const BandTable& table) const {
-    std::vector<glm::dvec3> colours(table.size());
-    for (std::size_t i = 0; i < colours.size(); ++i) colours[i] = of(table[i]);
-    return colours;
-  }
-
- private:
-  std::vector<glm::dvec3> ofBands_;
-};
-
-/// The irradiance whose reflection, with the emission, is this radiosity; 0 where nothing is reflected.
-glm::dvec3 irradianceFor(const glm::dvec3& radiosity, const glm::dvec3& emission, const glm::dvec3& reflectance) {
-  glm::dvec3 irradiance(0);
-  for (int channel = 0; channel < 3; ++channel)
-    if (reflectance[channel] > 0) irradiance[channel] = (radiosity[channel] - emission[channel]) / reflectance[channel];
-  return irradiance;
-}
-
 /// The irradiance of all elements whose reflection gives their colours.
 std::vector<glm::dvec3> irradianceOf(const SolveInput& input, const std::vector<glm::dvec3>& radiosity) {
   std::vector<glm::dvec3> irradiance;
@@ -216,7 +183,7 @@ void requireBalanced(const ShootingState& state, const Snapshot& snapshot, bool 
 Solution finished(const SolveInput& input, Solution solution, ShootingState state, BandTable absorbedByBacks,
                   KeptRows rows) {
   const Scene& scene = input.scene;
-  const BandColours colours(scene);
+  const BandColours colours(scene.wavelengths);
   solution.energy = state.energy();
   if (!absorbedByBacks.empty()) absorbedByBacks.resize(state.patches().list.size());
   solution.absorbedByBacks = colours.of(absorbedByBacks);

@@ -62,4 +62,29 @@ glm::dvec3 reflectanceColour(const Spectrum& spectrum) {
   return linearSrgb(spectrum) / linearSrgb({spectrum.wavelengths, std::vector<double>(spectrum.values.size(), 1.0)});
 }
 
+BandColours::BandColours(const std::vector<double>& wavelengths)
+    : ofBands_(wavelengths.empty() ? std::vector<glm::dvec3>{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}
+                                   : linearSrgbOfBands(std::vector(wavelengths.rbegin(), wavelengths.rend()))) {
+  if (!wavelengths.empty()) std::reverse(ofBands_.begin(), ofBands_.end());
+}
+
+glm::dvec3 BandColours::of(std::span<const double> values) const {
+  glm::dvec3 colour(0);
+  for (std::size_t band = 0; band < values.size(); ++band) colour += ofBands_[band] * values[band];
+  return colour;
+}
+
+std::vector<glm::dvec3> BandColours::of(const BandTable& table) const {
+  std::vector<glm::dvec3> colours(table.size());
+  for (std::size_t i = 0; i < colours.size(); ++i) colours[i] = of(table[i]);
+  return colours;
+}
+
+glm::dvec3 irradianceFor(const glm::dvec3& radiosity, const glm::dvec3& emission, const glm::dvec3& reflectance) {
+  glm::dvec3 irradiance(0);
+  for (int channel = 0; channel < 3; ++channel)
+    if (reflectance[channel] > 0) irradiance[channel] = (radiosity[channel] - emission[channel]) / reflectance[channel];
+  return irradiance;
+}
+
 }  // namespace hemitex::radiosity

@@ -11,6 +11,7 @@
 #include <span>
 #include <vector>
 
+#include "radiosity/base/bands.h"
 #include "radiosity/spectra/spectrum.h"
 
 namespace hemitex::radiosity {
@@ -31,5 +32,21 @@ glm::dvec3 linearSrgb(const Spectrum& spectrum);
 /// The reflectance per RGB band of a surface with this reflectance: under light of equal energy, the linear sRGB of the
 /// reflected light over that of the light. A grey keeps its value.
 glm::dvec3 reflectanceColour(const Spectrum& spectrum);
+
+/// Converts values in bands to colours. Without wavelengths the bands are R, G and B.
+class BandColours {
+ public:
+  /// The wavelengths descend, in nm.
+  explicit BandColours(const std::vector<double>& wavelengths);
+
+  glm::dvec3 of(std::span<const double> values) const;
+  std::vector<glm::dvec3> of(const BandTable& table) const;
+
+ private:
+  std::vector<glm::dvec3> ofBands_;
+};
+
+/// The irradiance whose reflection, with the emission, is this radiosity; 0 where nothing is reflected.
+glm::dvec3 irradianceFor(const glm::dvec3& radiosity, const glm::dvec3& emission, const glm::dvec3& reflectance);
 
 }  // namespace hemitex::radiosity

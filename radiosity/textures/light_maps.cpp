@@ -13,17 +13,14 @@
 namespace hemitex::radiosity {
 namespace {
 
-/// The largest exposed irradiance that a light map has to hold.
-double scaleOf(const Scene& scene, const Discretization& discretization, const std::vector<glm::dvec3>& irradiance,
-               double exposure) {
-  double scale = 0;
-  for (std::uint32_t e = 0; e < irradiance.size(); ++e) {
-    const glm::dvec3 reflected = reflectance(scene, discretization, e);
-    for (int band = 0; band < 3; ++band)
-      if (reflected[band] > 0) scale = std::max(scale, std::min(exposure * irradiance[e][band], 1 / reflected[band]));
-  }
-  return scale > 0 ? scale : 1;
+/// Raises the scale, the largest exposed irradiance that a light map has to hold, for one that is reflected.
+void raiseScale(double& scale, const glm::dvec3& exposed, const glm::dvec3& reflectance) {
+  for (int band = 0; band < 3; ++band)
+    if (reflectance[band] > 0) scale = std::max(scale, std::min(exposed[band], 1 / reflectance[band]));
 }
+
+/// The scale where nothing is lit is 1.
+double scaleOrOne(double scale) { return scale > 0 ? scale : 1; }
 
 /// Gives the surfaces a material per material and texture; returns them as those of a glTF file. A material of several
 /// textures gets the names `MATERIAL/TEXTURE`.
@@ -52,17 +49,30 @@ std::vector<GltfMaterial> splitMaterials(Scene& scene, const TextureLayout& layo
 
 LightMaps makeLightMaps(const Scene& scene, const Discretization& discretization, const TextureLayout& layout,
                         const std::vector<glm::dvec3>& irradiance, double exposure, TextureFilter filter) {
-  const double scale = scaleOf(scene, discretization, irradiance, exposure);
+  double scale = 0;
+  for (std::uint32_t e = 0; e < irradiance.size(); ++e)
+    raiseScale(scale, exposure * irradiance[e], reflectance(scene, discretization, e));
+  scale = scaleOrOne(scale);
   return {exposure, scale,
           displayTextures(scene, discretization, layout, irradiance, exposure / scale, filter, nullptr)};
 }
 
+LightMaps makeLightMaps(const Scene& scene, const Discretization& discretization, const GatheredLight& light,
+                        const std::vector<Image>& linear, double exposure) {
+  double scale = 0;
+  for (std::size_t s = 0; s < light.irradiance.size(); ++s)
+    for (const glm::dvec3& texel : light.irradiance[s])
+      raiseScale(scale, exposure * texel, reflectance(scene, discretization, discretization.grids[s].firstElement));
+  scale = scaleOrOne(scale);
+  return {exposure, scale, codedTextures(linear, exposure / scale)};
+}
+
 std::vector<std::string> writeLightMaps(const std::filesystem::path& folder, const LightMaps& maps, Scene scene,
                                         const Discretization& discretization, const TextureLayout& layout,
-                                        const std::vector<glm::dvec3>& irradiance, const PictureView& view) {
+                                        const std::vector<Image>& linear, const PictureView& view) {
   const std::filesystem::path images = folder / "lightmaps";
   std::filesystem::create_directory(images);
-  writeTextures(images, layout.names, maps.textures, radiosityTextures(discretization, layout, irradiance));
+  writeTextures(images, layout.names, maps.textures, linear);
   GltfModel model;
   model.origin = scene.origin;
   for (std::size_t i = 0; i < scene.images.size(); ++i)

@@ -9,6 +9,7 @@
 #include "radiosity/discretization/discretization.h"
 #include "radiosity/images/image.h"
 #include "radiosity/scene/scene.h"
+#include "radiosity/textures/final_gather.h"
 #include "radiosity/textures/gltf_scene.h"
 #include "radiosity/textures/texture_filter.h"
 #include "radiosity/textures/texture_layout.h"
@@ -28,12 +29,16 @@ struct LightMaps {
 LightMaps makeLightMaps(const Scene& scene, const Discretization& discretization, const TextureLayout& layout,
                         const std::vector<glm::dvec3>& irradiance, double exposure, TextureFilter filter);
 
+/// The same of gathered light, whose irradianceTextures are `linear`; the scale is that of its texels.
+LightMaps makeLightMaps(const Scene& scene, const Discretization& discretization, const GatheredLight& light,
+                        const std::vector<Image>& linear, double exposure);
+
 /// Writes into `folder`, which exists: lightmap.glb, the scene with its objects, materials and own texture coordinates,
-/// and those in light maps as second ones; per texture lightmaps/NAME.png, and lightmaps/NAME.exr, the `irradiance` in
-/// W/m^2, one texel per texel of the grid. The `extras` of each material name its light map, with scale and exposure.
-/// Emission is in W/m^2. Returns warnings for the user. Throws InputError where a file cannot be written.
+/// and those in light maps as second ones; per texture lightmaps/NAME.png, and lightmaps/NAME.exr, the `linear` one:
+/// the irradiance in W/m^2. The `extras` of each material name its light map, with scale and exposure. Emission is in
+/// W/m^2. Returns warnings for the user. Throws InputError where a file cannot be written.
 std::vector<std::string> writeLightMaps(const std::filesystem::path& folder, const LightMaps& maps, Scene scene,
                                         const Discretization& discretization, const TextureLayout& layout,
-                                        const std::vector<glm::dvec3>& irradiance, const PictureView& view);
+                                        const std::vector<Image>& linear, const PictureView& view);
 
 }  // namespace hemitex::radiosity

@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 #include <unordered_map>
+#include <utility>
 
 #include "radiosity/pictures/pictures.h"
 #include "radiosity/scene/scene_settings.h"
@@ -150,6 +151,16 @@ std::vector<CodedImage> displayTextures(const Scene& scene, const Discretization
   return textures;
 }
 
+std::vector<CodedImage> codedTextures(const std::vector<Image>& linear, double exposure) {
+  std::vector<CodedImage> textures(linear.size());
+  raster::parallelFor(textures.size(), [&](std::size_t t) {
+    Image texture = linear[t];
+    for (glm::dvec3& pixel : texture.pixels) pixel *= exposure;
+    textures[t] = encodeSrgb(texture);
+  });
+  return textures;
+}
+
 std::vector<GltfTexture> writeTextures(const std::filesystem::path& folder, const std::vector<std::string>& names,
                                        const std::vector<CodedImage>& codes, const std::vector<Image>& linear) {
   std::vector<GltfTexture> pngs(names.size());
@@ -173,7 +184,13 @@ void addObjects(Scene& lit) {
 LitScene makeLitScene(const Scene& scene, const Discretization& discretization, const TextureLayout& layout,
                       const std::vector<glm::dvec3>& displayed, double exposure, TextureFilter filter) {
   const std::vector<ImageLevels> maps = levelsOfMaps(scene);
-  LitScene lit{{}, layout, displayTextures(scene, discretization, layout, displayed, exposure, filter, &maps)};
+  return makeLitScene(scene, discretization, layout,
+                      displayTextures(scene, discretization, layout, displayed, exposure, filter, &maps));
+}
+
+LitScene makeLitScene(const Scene& scene, const Discretization& discretization, const TextureLayout& layout,
+                      std::vector<CodedImage> textures) {
+  LitScene lit{{}, layout, std::move(textures)};
   lit.scene.surfaces = scene.surfaces;
   lit.scene.objects = scene.objects;
   addObjects(lit.scene);
@@ -195,15 +212,19 @@ Image unlitPicture(const LitScene& lit, const Camera& camera, int width, int hei
 }
 
 std::vector<std::string> writeLitScene(const std::filesystem::path& folder, const LitScene& lit,
-                                       const PictureView& view, const Discretization& discretization,
-                                       const std::vector<glm::dvec3>& radiosity) {
-  std::vector<GltfTexture> pngs =
-      writeTextures(folder, lit.layout.names, lit.textures, radiosityTextures(discretization, lit.layout, radiosity));
+                                       const PictureView& view, const std::vector<Image>& linear) {
+  std::vector<GltfTexture> pngs = writeTextures(folder, lit.layout.names, lit.textures, linear);
   raster::writeFile(folder / "scene.obj", objText(lit.scene));
   raster::writeFile(folder / "scene.mtl", mtlText(lit));
   const std::optional<std::string> warning =
       writeGlb(folder / "scene.glb", makeGltfModel(lit.scene, view, std::move(pngs)));
   return warning ? std::vector{*warning} : std::vector<std::string>();
+}
+
+std::vector<std::string> writeLitScene(const std::filesystem::path& folder, const LitScene& lit,
+                                       const PictureView& view, const Discretization& discretization,
+                                       const std::vector<glm::dvec3>& radiosity) {
+  return writeLitScene(folder, lit, view, radiosityTextures(discretization, lit.layout, radiosity));
 }
 
 }  // namespace hemitex::radiosity

@@ -32,6 +32,9 @@ std::vector<CodedImage> displayTextures(const Scene& scene, const Discretization
                                         const TextureLayout& layout, const std::vector<glm::dvec3>& values,
                                         double exposure, TextureFilter filter, const std::vector<ImageLevels>* maps);
 
+/// Linear textures, in W/m^2, times `exposure` as 8-bit codes.
+std::vector<CodedImage> codedTextures(const std::vector<Image>& linear, double exposure);
+
 /// Writes NAME.png, the codes, and NAME.exr, the linear values, per texture into a folder. Returns the PNG files.
 /// Throws InputError where a file cannot be written.
 std::vector<GltfTexture> writeTextures(const std::filesystem::path& folder, const std::vector<std::string>& names,
@@ -45,16 +48,22 @@ void addObjects(Scene& scene);
 /// material and texture, named `NAME`, or `NAME/TEXTURE` if that has several. Throws InputError as filteredTexture.
 LitScene makeLitScene(const Scene& scene, const Discretization& discretization, const TextureLayout& layout,
                       const std::vector<glm::dvec3>& displayed, double exposure, TextureFilter filter);
+/// The same with these display textures, one per texture of the layout.
+LitScene makeLitScene(const Scene& scene, const Discretization& discretization, const TextureLayout& layout,
+                      std::vector<CodedImage> textures);
 
 /// The picture that unlitPicture makes of the scene that is read again.
 Image unlitPicture(const LitScene& lit, const Camera& camera, int width, int height,
                    const glm::dvec3& background = glm::dvec3(0.0));
 
 /// Writes into `folder`, which exists: scene.obj, scene.mtl, scene.glb and per texture NAME.png, the display texture,
-/// and NAME.exr, the linear `radiosity` of the elements in W/m^2, one texel per texel of the grid. Triangles are
+/// and NAME.exr, the `linear` one in W/m^2 (see radiosityTextures). Triangles are
 /// grouped by object and surface, in the order and winding of the scene. Each object of the scene is one of scene.obj,
 /// where names have no blanks. For scene.glb see makeGltfModel; a scene that is too large for that format is written
 /// without it. Returns warnings for the user. Throws InputError where a file cannot be written.
+std::vector<std::string> writeLitScene(const std::filesystem::path& folder, const LitScene& lit,
+                                       const PictureView& view, const std::vector<Image>& linear);
+/// The same with the radiosity of the elements, one texel per texel of the grid.
 std::vector<std::string> writeLitScene(const std::filesystem::path& folder, const LitScene& lit,
                                        const PictureView& view, const Discretization& discretization,
                                        const std::vector<glm::dvec3>& radiosity);

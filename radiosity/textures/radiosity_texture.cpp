@@ -1,10 +1,10 @@
 #include "radiosity/textures/radiosity_texture.h"
 
 #include <algorithm>
-#include <functional>
 
 #include "radiosity/solver/progressive_solver.h"
 #include "raster/base/input_error.h"
+#include "raster/base/parallel.h"
 
 namespace hemitex::radiosity {
 namespace {
@@ -37,12 +37,9 @@ void fillPlace(const Grid& grid, const TexturePlace& place, const std::vector<gl
   }
 }
 
-/// The values of a surface's texels.
-using TexelsOf = std::function<std::vector<glm::dvec3>(std::uint32_t surface)>;
-
 /// Texture t of the layout.
 Image filledTexture(const Discretization& discretization, const TextureLayout& layout, std::size_t t, int magnification,
-                    const TexelsOf& texelsOf) {
+                    const TexelsOfSurface& texelsOf) {
   Image texture = emptyTexture(layout.textures[t], magnification);
   for (std::uint32_t surface = 0; surface < layout.places.size(); ++surface) {
     const TexturePlace& place = layout.places[surface];
@@ -60,6 +57,15 @@ std::vector<glm::dvec3> unfilteredTexels(const Grid& grid, const std::vector<glm
 }
 
 }  // namespace
+
+std::vector<Image> texturesOf(const Discretization& discretization, const TextureLayout& layout,
+                              const TexelsOfSurface& texelsOf) {
+  std::vector<Image> textures(layout.textures.size());
+  raster::parallelFor(textures.size(), [&](std::size_t t) {
+    textures[t] = filledTexture(discretization, layout, t, layout.textures[t].magnification, texelsOf);
+  });
+  return textures;
+}
 
 std::vector<Image> radiosityTextures(const Discretization& discretization, const TextureLayout& layout,
                                      const std::vector<glm::dvec3>& radiosity) {

@@ -5,6 +5,8 @@
 /// bilinear filtering adds no black.
 #pragma once
 
+#include <cstdint>
+#include <functional>
 #include <glm/glm.hpp>
 #include <vector>
 
@@ -18,6 +20,13 @@
 namespace hemitex::radiosity {
 
 struct Solution;
+
+/// The values of the texels of a surface's display texture, row by row.
+using TexelsOfSurface = std::function<std::vector<glm::dvec3>(std::uint32_t surface)>;
+/// All display textures of a layout, with their borders. May call texelsOf from several threads at a time. Throws
+/// InputError as filteredTexture.
+std::vector<Image> texturesOf(const Discretization& discretization, const TextureLayout& layout,
+                              const TexelsOfSurface& texelsOf);
 
 /// The radiosity of each element, one texel per element, in W/m^2.
 std::vector<Image> radiosityTextures(const Discretization& discretization, const TextureLayout& layout,

@@ -5,44 +5,18 @@
 #include <numbers>
 #include <span>
 
+#include "radiosity/geometry/convex_part.h"
 #include "reference/truth/closed_forms/polygon_to_polygon.h"
 
 namespace hemitex::reference {
 namespace {
 
-/// A triangle that is clipped by a plane has up to four corners.
-struct ConvexPart {
-  std::array<glm::dvec3, 4> corners;
-  std::size_t count = 0;
-
-  std::span<const glm::dvec3> span() const { return {corners.data(), count}; }
-};
+using radiosity::ConvexPart;
+using radiosity::fromPoint;
+using radiosity::inFrontOf;
 
 glm::dvec3 areaVector(const TriangleCorners& triangle) {
   return 0.5 * glm::cross(triangle[1] - triangle[0], triangle[2] - triangle[0]);
-}
-
-/// The part in front of the plane through `point`; nothing if it is no higher than rounding.
-ConvexPart inFrontOf(const TriangleCorners& triangle, const glm::dvec3& point, const glm::dvec3& normal) {
-  std::array<double, 3> heights{};
-  double largest = 0;
-  for (std::size_t k = 0; k < 3; ++k) {
-    heights[k] = glm::dot(normal, triangle[k] - point);
-    largest = std::max(largest, glm::distance(triangle[k], point));
-  }
-  const double slack = 1e-13 * largest;
-  for (double& height : heights)
-    if (std::abs(height) <= slack) height = 0;
-  ConvexPart part;
-  if (std::max({heights[0], heights[1], heights[2]}) <= 0) return part;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const std::size_t next = (k + 1) % 3;
-    if (heights[k] >= 0) part.corners[part.count++] = triangle[k];
-    if ((heights[k] > 0 && heights[next] < 0) || (heights[k] < 0 && heights[next] > 0))
-      part.corners[part.count++] =
-          triangle[k] + heights[k] / (heights[k] - heights[next]) * (triangle[next] - triangle[k]);
-  }
-  return part;
 }
 
 glm::dvec3 middleOf(const ConvexPart& part) {
@@ -55,19 +29,6 @@ double radiusOf(const ConvexPart& part, const glm::dvec3& middle) {
   double radius = 0;
   for (const glm::dvec3& corner : part.span()) radius = std::max(radius, glm::distance(middle, corner));
   return radius;
-}
-
-/// Lambert's formula for a polygon above the horizon (see point_to_polygon.h), in double precision. The
-/// relative rounding error is about 1e-16 over the angular size.
-double fromPoint(const glm::dvec3& point, const glm::dvec3& normal, const ConvexPart& polygon) {
-  double sum = 0;
-  for (std::size_t k = 0; k < polygon.count; ++k) {
-    const glm::dvec3 a = polygon.corners[k] - point, b = polygon.corners[(k + 1) % polygon.count] - point;
-    const glm::dvec3 product = glm::cross(b, a);
-    const double size = glm::length(product);
-    if (size > 0) sum += std::atan2(size, glm::dot(a, b)) / size * glm::dot(normal, product);
-  }
-  return std::max(sum * 0.5 * std::numbers::inv_pi, 0.0);
 }
 
 /// A point of a rule over a triangle: the weights of the corners, and its share of the area.

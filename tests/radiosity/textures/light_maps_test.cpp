@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "radiosity/textures/lit_scene.h"
+#include "radiosity/textures/radiosity_texture.h"
 #include "tests/support/glb.h"
 #include "tests/support/picture_scenes.h"
 #include "tests/support/shell.h"
@@ -108,8 +109,9 @@ TEST_CASE("writeLightMaps writes the scene with its materials, both texture coor
       for (std::size_t k = 0; k < 3; ++k) triangle.texcoord[k] = 3.0 * triangle.chart[k] - 1.0;
   const LightMaps maps = room.maps();
   const PictureView view{{{2, 1, 9}, {2, 1, 0}, {0, 1, 0}, 40}, 1.5};
-  REQUIRE(
-      writeLightMaps(folder.path, maps, room.scene, room.discretization, room.layout, room.irradiance, view).empty());
+  REQUIRE(writeLightMaps(folder.path, maps, room.scene, room.discretization, room.layout,
+                         radiosityTextures(room.discretization, room.layout, room.irradiance), view)
+              .empty());
   const Glb glb = parseGlb(readAll(folder.path / "lightmap.glb"));
   const json& gltf = glb.description;
   REQUIRE(gltf["nodes"].size() == 6);  // wall, lamp, bright, dark, house and the camera

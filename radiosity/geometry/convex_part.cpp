@@ -1,0 +1,42 @@
+#include "radiosity/geometry/convex_part.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace hemitex::radiosity {
+
+ConvexPart inFrontOf(const std::array<glm::dvec3, 3>& triangle, const glm::dvec3& point, const glm::dvec3& normal) {
+  std::array<double, 3> heights{};
+  double largest = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    heights[k] = glm::dot(normal, triangle[k] - point);
+    largest = std::max(largest, glm::distance(triangle[k], point));
+  }
+  const double slack = 1e-13 * largest;
+  for (double& height : heights)
+    if (std::abs(height) <= slack) height = 0;
+  ConvexPart part;
+  if (std::max({heights[0], heights[1], heights[2]}) <= 0) return part;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t next = (k + 1) % 3;
+    if (heights[k] >= 0) part.corners[part.count++] = triangle[k];
+    if ((heights[k] > 0 && heights[next] < 0) || (heights[k] < 0 && heights[next] > 0))
+      part.corners[part.count++] =
+          triangle[k] + heights[k] / (heights[k] - heights[next]) * (triangle[next] - triangle[k]);
+  }
+  return part;
+}
+
+double fromPoint(const glm::dvec3& point, const glm::dvec3& normal, const ConvexPart& polygon) {
+  double sum = 0;
+  for (std::size_t k = 0; k < polygon.count; ++k) {
+    const glm::dvec3 a = polygon.corners[k] - point, b = polygon.corners[(k + 1) % polygon.count] - point;
+    const glm::dvec3 product = glm::cross(b, a);
+    const double size = glm::length(product);
+    if (size > 0) sum += std::atan2(size, glm::dot(a, b)) / size * glm::dot(normal, product);
+  }
+  return std::max(sum * 0.5 * std::numbers::inv_pi, 0.0);
+}
+
+}  // namespace hemitex::radiosity

@@ -1,0 +1,27 @@
+/// A triangle clipped by a plane, and the form factor from a point to it in closed form.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <glm/glm.hpp>
+#include <span>
+
+namespace hemitex::radiosity {
+
+/// A triangle that is clipped by a plane has up to four corners.
+struct ConvexPart {
+  std::array<glm::dvec3, 4> corners;
+  std::size_t count = 0;
+
+  std::span<const glm::dvec3> span() const { return {corners.data(), count}; }
+};
+
+/// The part in front of the plane through `point`; nothing if it is no higher than rounding.
+ConvexPart inFrontOf(const std::array<glm::dvec3, 3>& triangle, const glm::dvec3& point, const glm::dvec3& normal);
+
+/// The form factor from a point with a unit normal to a polygon above its horizon that winds counter-clockwise in
+/// front, without blockers: Lambert's formula (Lambert 1760). The relative rounding error is about 1e-16 over the
+/// angular size.
+double fromPoint(const glm::dvec3& point, const glm::dvec3& normal, const ConvexPart& polygon);
+
+}  // namespace hemitex::radiosity

@@ -1,0 +1,557 @@
+#include "radiosity/textures/final_gather.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <utility>
+
+#include "radiosity/discretization/discretize.h"
+#include "radiosity/discretization/element_materials.h"
+#include "radiosity/form_factors/projected_form_factors.h"
+#include "radiosity/form_factors/scene_form_factors.h"
+#include "radiosity/geometry/distance_transform.h"
+#include "radiosity/spectra/colour.h"
+#include "radiosity/textures/direct_light.h"
+#include "radiosity/textures/map_texels.h"
+#include "radiosity/textures/radiosity_texture.h"
+#include "radiosity/textures/texture_filter.h"
+#include "raster/base/parallel.h"
+#include "raster/base/pool.h"
+
+namespace hemitex::radiosity {
+namespace {
+
+/// Texels along the side of the largest cells.
+constexpr int largestCell = 16;
+/// The middle of a cell is drawn if its corners differ by no more than this share of their mean.
+constexpr double mostSpread = 0.5;
+/// One of this number of interpolated texels is drawn, to measure the error.
+constexpr std::size_t texelsPerCheck = 256;
+/// Texels that see a larger share of backs are inside a solid.
+constexpr double mostBacks = 0.99;
+
+enum class State : std::uint8_t { Unknown, Drawn, Interpolated };
+
+/// The texels of the display texture of a surface.
+struct Texels {
+  int columns = 1, rows = 1;
+  std::vector<std::optional<LitPlace>> places;  ///< none where the surface has no exposed area
+  std::vector<State> states;
+  BandTable light;  ///< irradiance of each
+
+  std::size_t at(int column, int row) const {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(column);
+  }
+};
+
+/// The side of a texel in space, for changes of the chart along u and along v.
+std::pair<glm::dvec3, glm::dvec3> sidesOf(const Triangle& triangle, const glm::dvec2& texels) {
+  const glm::dvec2 b = texels * (triangle.chart[1] - triangle.chart[0]),
+                   c = texels * (triangle.chart[2] - triangle.chart[0]);
+  const glm::dvec3 p = triangle.position[1] - triangle.position[0], q = triangle.position[2] - triangle.position[0];
+  const double determinant = b.x * c.y - b.y * c.x;
+  return {(c.y * p - b.y * q) / determinant, (b.x * q - c.x * p) / determinant};
+}
+
+/// Whether all triangles of a surface are in contact with one plane.
+bool isFlat(const Scene& scene, const Surface& surface) {
+  const glm::dvec3 n = normal(surface.triangles.front()), corner = surface.triangles.front().position[0];
+  for (const Triangle& triangle : surface.triangles)
+    for (const glm::dvec3& other : triangle.position)
+      if (std::abs(glm::dot(n, other - corner)) > contactTolerance(scene)) return false;
+  return true;
+}
+
+/// The place of a texel: the middle of its exposed part, and the whole texel if all of it is exposed and flat.
+std::optional<LitPlace> placeOf(const Surface& surface, const Grid& grid, std::uint32_t number, int column, int row,
+                                int magnification, bool isFlat) {
+  const double side = 1.0 / magnification;
+  const auto block = shootingBlock(surface, grid, glm::dvec2(column, row) * side, glm::dvec2(side));
+  if (!block) return std::nullopt;
+  LitPlace place{number, block->centre};
+  if (!isFlat) return place;
+  const auto [along1, along2] = sidesOf(surface.triangles[block->centre.triangle],
+                                        glm::dvec2(grid.columns, grid.rows) * static_cast<double>(magnification));
+  if (block->area >= 0.999 * glm::length(glm::cross(along1, along2))) {
+    place.along1 = along1;
+    place.along2 = along2;
+  }
+  return place;
+}
+
+/// The mean normals of the elements of curved surfaces, and 0 for others.
+std::vector<glm::dvec3> normalsOf(const Scene& scene, const Discretization& discretization) {
+  std::vector<glm::dvec3> normals(discretization.elements.size());
+  for (std::size_t s = 0; s < scene.surfaces.size(); ++s) {
+    if (!scene.surfaces[s].curvedPart) continue;
+    const std::vector<glm::dvec3> means = meanNormals(scene.surfaces[s], discretization.grids[s]);
+    std::copy(means.begin(), means.end(), normals.begin() + discretization.grids[s].firstElement);
+  }
+  return normals;
+}
+
+/// Gives the texels of a curved surface the filtered normals of its elements.
+void smoothNormals(const Scene& scene, const Discretization& discretization, const std::vector<glm::dvec3>& normals,
+                   std::uint32_t surface, int magnification, Texels& texels) {
+  const Grid& grid = discretization.grids[surface];
+  const TextureFilter filter = grid.quadtree ? TextureFilter::OneToOne : TextureFilter::Bicubic;
+  const std::vector<glm::dvec3> filtered =
+      filteredTexels(scene, discretization, surface, normals, filter, magnification);
+  for (std::size_t i = 0; i < filtered.size(); ++i)
+    if (texels.places[i] && glm::dot(filtered[i], texels.places[i]->point.normal) > 0)
+      texels.places[i]->point.normal = glm::normalize(filtered[i]);
+}
+
+/// `normals` are normalsOf the scene.
+Texels texelsOf(const Scene& scene, const Discretization& discretization, const std::vector<glm::dvec3>& normals,
+                std::uint32_t surface, int magnification) {
+  const Grid& grid = discretization.grids[surface];
+  Texels texels{grid.columns * magnification, grid.rows * magnification, {}, {}, {}};
+  const std::size_t count = static_cast<std::size_t>(texels.columns) * static_cast<std::size_t>(texels.rows);
+  texels.places.resize(count);
+  texels.states.resize(count);
+  texels.light = BandTable(count, bandCount(scene));
+  const bool isPlane = isFlat(scene, scene.surfaces[surface]);
+  raster::parallelFor(static_cast<std::size_t>(texels.rows), [&](std::size_t row) {
+    for (int column = 0; column < texels.columns; ++column)
+      texels.places[texels.at(column, static_cast<int>(row))] =
+          placeOf(scene.surfaces[surface], grid, surface, column, static_cast<int>(row), magnification, isPlane);
+  });
+  if (scene.surfaces[surface].curvedPart) smoothNormals(scene, discretization, normals, surface, magnification, texels);
+  return texels;
+}
+
+/// A square of texels between four that are drawn; smaller at the end of a surface.
+struct Cell {
+  std::uint32_t surface = 0;
+  int column = 0, row = 0, right = 0, top = 0;  ///< of its corners
+
+  bool isTexels() const { return right - column <= 1 && top - row <= 1; }
+  int middleColumn() const { return (column + right) / 2; }
+  int middleRow() const { return (row + top) / 2; }
+};
+
+struct TexelNumber {
+  std::uint32_t surface = 0;
+  std::size_t texel = 0;
+};
+
+/// The radiosity of elements with the ambient estimate, without the emission that `direct` has.
+BandTable radiosityOf(const Scene& scene, const Discretization& discretization, const Solution& solution,
+                      const DirectLight& direct) {
+  const ElementMaterials materials(scene, discretization);
+  const Bands ambient = lightInBands(scene, solution.ambient);
+  BandTable table(discretization.elements.size(), materials.bands());
+  for (std::uint32_t e = 0; e < table.size(); ++e) {
+    const std::uint32_t surface = discretization.elements[e].surface;
+    if (!solution.radiosityInBands.empty())
+      set(table[e], solution.radiosityInBands[e]);
+    else
+      for (int band = 0; band < 3; ++band) table[e][static_cast<std::size_t>(band)] = solution.radiosity[e][band];
+    const std::span<const double> reflectance = materials.reflectance(surface, e);
+    for (std::size_t band = 0; band < table.bands; ++band) table[e][band] += reflectance[band] * ambient[band];
+    if (direct.hasEmissionOf(surface)) addTo(table[e], materials.emission(surface, e), -1);
+  }
+  return table;
+}
+
+/// The light that texels see in elements.
+class SeenElements {
+ public:
+  SeenElements(const Scene& scene, const Discretization& discretization, const IdLayout& layout, BandTable radiosity,
+               int resolution)
+      : renderer_(sceneRenderer(scene, discretization, layout, ElementsBy::Texture)),
+        rows_([&scene, &discretization, &layout, resolution, this] {
+          return ProjectedFormFactors(scene, discretization, layout, *renderer_, {.resolution = resolution});
+        }),
+        sky_(lightInBands(scene, scene.outside.sky)),
+        radiosity_(std::move(radiosity)) {}
+
+  /// Nothing inside solids, where texels at contacts may be by rounding.
+  std::optional<Bands> irradiance(const LitPlace& place) {
+    std::optional<Bands> result;
+    rows_.with([&](ProjectedFormFactors& rows) {
+      const FormFactorRow row = rows.from(place.surface, place.point);
+      if (formFactor(row.back) > mostBacks) return;
+      Bands& sum = result.emplace(radiosity_.bands);
+      for (std::size_t i = 0; i < row.elements.size(); ++i)
+        addTo(sum, radiosity_[row.elements[i]], formFactor(row.shares[i]));
+      addTo(sum, sky_, formFactor(row.background));
+    });
+    return result;
+  }
+
+ private:
+  std::unique_ptr<raster::ItemBufferRenderer> renderer_;
+  raster::Pool<ProjectedFormFactors> rows_;
+  Bands sky_;
+  BandTable radiosity_;  ///< of elements
+};
+
+/// Light that texels see in elements: draws some of them and interpolates the others.
+class Interpolation {
+ public:
+  Interpolation(SeenElements& seen, std::vector<Texels>& all, const GatherSettings& settings)
+      : seen_(seen), all_(all), settings_(settings) {}
+
+  void run(const std::function<void(double)>& progress) {
+    std::vector<Cell> cells = largestCells();
+    for (double done = 0; !cells.empty(); done = 0.5 * (1 + done)) {
+      if (progress) progress(done);
+      draw(unknownIn(cells, [](const Texels& texels, const Cell& cell) { return cornersOf(texels, cell); }));
+      std::vector<Cell> uneven, divided;
+      for (const Cell& cell : cells)
+        if (!cell.isTexels() && !settleByCorners(cell)) uneven.push_back(cell);
+      draw(unknownIn(uneven, [this](const Texels& texels, const Cell& cell) {
+        return spreadOf(cell) <= mostSpread ? std::vector{texels.at(cell.middleColumn(), cell.middleRow())}
+                                            : std::vector<std::size_t>();
+      }));
+      for (const Cell& cell : uneven)
+        if (spreadOf(cell) > mostSpread || !settleByMiddle(cell)) divide(cell, divided);
+      cells = std::move(divided);
+    }
+    measure();
+  }
+
+  std::size_t drawn() const { return drawn_; }
+  /// See GatheredLight; `total` has the whole light of texels.
+  double error() const { return checks_.empty() ? 0 : std::sqrt(squares_ / static_cast<double>(checks_.size())); }
+
+ private:
+  std::vector<Cell> largestCells() const {
+    std::vector<Cell> cells;
+    for (std::uint32_t s = 0; s < all_.size(); ++s)
+      for (int row = 0; row == 0 || row < all_[s].rows - 1; row += largestCell)
+        for (int column = 0; column == 0 || column < all_[s].columns - 1; column += largestCell)
+          cells.push_back({s, column, row, std::min(column + largestCell, all_[s].columns - 1),
+                           std::min(row + largestCell, all_[s].rows - 1)});
+    return cells;
+  }
+
+  static std::array<std::size_t, 4> cornersOf(const Texels& texels, const Cell& cell) {
+    return {texels.at(cell.column, cell.row), texels.at(cell.right, cell.row), texels.at(cell.column, cell.top),
+            texels.at(cell.right, cell.top)};
+  }
+
+  /// The texels of cells that are not drawn yet.
+  template <typename TexelsOfCell>
+  std::vector<TexelNumber> unknownIn(const std::vector<Cell>& cells, const TexelsOfCell& texelsOf) {
+    std::vector<TexelNumber> unknown;
+    for (const Cell& cell : cells) {
+      Texels& texels = all_[cell.surface];
+      for (const std::size_t texel : texelsOf(texels, cell)) {
+        if (!texels.places[texel] || texels.states[texel] == State::Drawn) continue;
+        texels.states[texel] = State::Drawn;
+        unknown.push_back({cell.surface, texel});
+      }
+    }
+    return unknown;
+  }
+
+  void draw(const std::vector<TexelNumber>& numbers) {
+    drawn_ += numbers.size();
+    raster::parallelFor(numbers.size(), [&](std::size_t i) {
+      Texels& texels = all_[numbers[i].surface];
+      std::optional<LitPlace>& place = texels.places[numbers[i].texel];
+      if (const auto light = seen_.irradiance(*place))
+        set(texels.light[numbers[i].texel], *light);
+      else
+        place.reset();
+    });
+  }
+
+  static void divide(const Cell& cell, std::vector<Cell>& divided) {
+    const int column = cell.middleColumn(), row = cell.middleRow();
+    const std::array<std::pair<int, int>, 2> across{std::pair(cell.column, column), std::pair(column, cell.right)},
+        up{std::pair(cell.row, row), std::pair(row, cell.top)};
+    for (const auto& [low, high] : up)
+      for (const auto& [left, right] : across)
+        if ((left < right || cell.column == cell.right) && (low < high || cell.row == cell.top))
+          divided.push_back({cell.surface, left, low, right, high});
+  }
+
+  /// The difference of the corners of a cell over their mean; infinite if one has no area.
+  double spreadOf(const Cell& cell) const {
+    const Texels& texels = all_[cell.surface];
+    double least = std::numeric_limits<double>::infinity(), most = 0, sum = 0;
+    for (const std::size_t texel : cornersOf(texels, cell)) {
+      if (!texels.places[texel]) return std::numeric_limits<double>::infinity();
+      const double light = bandSum(texels.light[texel]);
+      least = std::min(least, light);
+      most = std::max(most, light);
+      sum += light;
+    }
+    return sum > 0 ? 4 * (most - least) / sum : 0;
+  }
+
+  /// Interpolates a cell if its corners are nearly equal; returns whether.
+  bool settleByCorners(const Cell& cell) {
+    if (!(spreadOf(cell) <= settings_.even)) return false;
+    interpolate(cell, Bands(all_[cell.surface].light.bands));
+    return true;
+  }
+
+  /// Interpolates a cell if its middle has about the light between the corners; returns whether.
+  bool settleByMiddle(const Cell& cell) {
+    const Texels& texels = all_[cell.surface];
+    const std::size_t middle = texels.at(cell.middleColumn(), cell.middleRow());
+    if (!texels.places[middle]) return false;
+    Bands more(texels.light[middle].begin(), texels.light[middle].end());
+    addTo(more, interpolated(texels, cell, cell.middleColumn(), cell.middleRow()), -1);
+    if (std::abs(bandSum(more)) > settings_.tolerance * bandSum(texels.light[middle])) return false;
+    interpolate(cell, more);
+    return true;
+  }
+
+  Bands interpolated(const Texels& texels, const Cell& cell, int column, int row) const {
+    const glm::dvec2 at = placeIn(cell, column, row);
+    const std::array<double, 4> weights{(1 - at.x) * (1 - at.y), at.x * (1 - at.y), (1 - at.x) * at.y, at.x * at.y};
+    const std::array<std::size_t, 4> corners = cornersOf(texels, cell);
+    Bands sum(texels.light.bands);
+    for (std::size_t k = 0; k < 4; ++k) addTo(sum, texels.light[corners[k]], weights[k]);
+    return sum;
+  }
+
+  /// In [0, 1]^2.
+  static glm::dvec2 placeIn(const Cell& cell, int column, int row) {
+    return {cell.right > cell.column ? (column - cell.column) / double(cell.right - cell.column) : 0,
+            cell.top > cell.row ? (row - cell.row) / double(cell.top - cell.row) : 0};
+  }
+
+  /// Between the corners of a cell and its middle, which has `more` light than they have there.
+  void interpolate(const Cell& cell, const Bands& more) {
+    Texels& texels = all_[cell.surface];
+    const auto hat = [](double x, double middle) {
+      return middle <= 0 || middle >= 1 ? 1 : std::min(x / middle, (1 - x) / (1 - middle));
+    };
+    const glm::dvec2 middle = placeIn(cell, cell.middleColumn(), cell.middleRow());
+    for (int row = cell.row; row <= cell.top; ++row)
+      for (int column = cell.column; column <= cell.right; ++column) {
+        const std::size_t texel = texels.at(column, row);
+        if (texels.states[texel] == State::Drawn || !texels.places[texel]) continue;
+        if (texels.states[texel] == State::Unknown && interpolated_++ % texelsPerCheck == 0)
+          checks_.push_back({cell.surface, texel});
+        texels.states[texel] = State::Interpolated;
+        const glm::dvec2 at = placeIn(cell, column, row);
+        Bands light = interpolated(texels, cell, column, row);
+        addTo(light, more, hat(at.x, middle.x) * hat(at.y, middle.y));
+        set(texels.light[texel], light);
+      }
+  }
+
+  /// Draws some interpolated texels.
+  void measure() {
+    std::vector<double> squares(checks_.size());
+    raster::parallelFor(checks_.size(), [&](std::size_t i) {
+      const Texels& texels = all_[checks_[i].surface];
+      const double light = bandSum(seen_.irradiance(*texels.places[checks_[i].texel]).value_or(Bands()));
+      const double difference = bandSum(texels.light[checks_[i].texel]) - light;
+      squares[i] = light > 0 ? difference * difference / (light * light) : 0;
+    });
+    for (const double square : squares) squares_ += square;
+    drawn_ += checks_.size();
+  }
+
+  SeenElements& seen_;
+  std::vector<Texels>& all_;
+  const GatherSettings& settings_;
+  std::size_t drawn_ = 0, interpolated_ = 0;
+  std::vector<TexelNumber> checks_;
+  double squares_ = 0;
+};
+
+/// Adds the light of one source to the texels of a surface.
+void addSource(const DirectLight& direct, std::size_t source, Texels& texels) {
+  constexpr float behind = -1;
+  const auto rows = static_cast<std::size_t>(texels.rows);
+  std::vector<double> factors(texels.places.size());
+  std::vector<float> shares(texels.places.size(), behind);
+  const auto forEachTexel = [&](const auto& visit) {
+    raster::parallelFor(rows, [&](std::size_t row) {
+      for (int column = 0; column < texels.columns; ++column) visit(column, static_cast<int>(row));
+    });
+  };
+  forEachTexel([&](int column, int row) {
+    const std::size_t texel = texels.at(column, row);
+    if (!texels.places[texel]) return;
+    factors[texel] = direct.factor(source, texels.places[texel]->point);
+    if (factors[texel] > 0) shares[texel] = static_cast<float>(direct.probedShare(source, *texels.places[texel]));
+  });
+  // Whether a source is seen in part at a texel, or in another way than at a neighbour.
+  const auto isUneven = [&](int column, int row) {
+    const float share = shares[texels.at(column, row)];
+    if (share > 0 && share < 1) return true;
+    for (int y = std::max(row - 1, 0); y <= std::min(row + 1, texels.rows - 1); ++y)
+      for (int x = std::max(column - 1, 0); x <= std::min(column + 1, texels.columns - 1); ++x)
+        if (const float other = shares[texels.at(x, y)]; other != behind && other != share) return true;
+    return false;
+  };
+  forEachTexel([&](int column, int row) {
+    const std::size_t texel = texels.at(column, row);
+    if (shares[texel] == behind) return;
+    const double share =
+        isUneven(column, row) ? direct.visibleShare(source, *texels.places[texel]) : double{shares[texel]};
+    addTo(texels.light[texel], direct.light(source), factors[texel] * share);
+  });
+}
+
+/// The light of texels in colours; those without area have that of the nearest one with area.
+std::vector<glm::dvec3> coloursOf(const Scene& scene, const Discretization& discretization,
+                                  const ElementMaterials& materials, std::uint32_t surface, int magnification,
+                                  const Texels& texels) {
+  const BandColours colours(scene.wavelengths);
+  const Grid& grid = discretization.grids[surface];
+  std::vector<glm::dvec3> result(texels.places.size());
+  std::vector<bool> covered;
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    covered.push_back(texels.places[i].has_value());
+    if (scene.wavelengths.empty()) {
+      result[i] = colours.of(texels.light[i]);
+      continue;
+    }
+    const auto columns = static_cast<std::size_t>(texels.columns), m = static_cast<std::size_t>(magnification);
+    const std::uint32_t element =
+        grid.elementOfTexel[i / columns / m * static_cast<std::size_t>(grid.columns) + i % columns / m];
+    Bands reflected(texels.light[i].begin(), texels.light[i].end());
+    for (std::size_t band = 0; band < reflected.size(); ++band)
+      reflected[band] *= materials.reflectance(surface, element)[band];
+    result[i] = irradianceFor(colours.of(reflected), glm::dvec3(0), reflectance(scene, discretization, element));
+  }
+  if (std::find(covered.begin(), covered.end(), true) == covered.end()) return result;
+  const std::vector<std::uint32_t> nearest = nearestCovered(texels.columns, texels.rows, covered);
+  for (std::size_t i = 0; i < result.size(); ++i)
+    if (!covered[i]) result[i] = result[nearest[i]];
+  return result;
+}
+
+/// The number of texels along the side of a grid texel, by surface.
+using Magnifications = std::vector<int>;
+
+/// What all gathers of a solution share.
+struct Gathering {
+  const Scene& scene;
+  const Discretization& discretization;
+  const DirectLight& direct;
+  const GatherSettings& settings;
+};
+
+/// The texels of all surfaces with their light from elements and sources. Adds to the counts of `result`.
+std::vector<Texels> litTexels(const Gathering& of, SeenElements& seen, const Magnifications& magnifications,
+                              const std::function<void(double)>& progress, GatheredLight& result) {
+  const std::vector<glm::dvec3> normals = normalsOf(of.scene, of.discretization);
+  std::vector<Texels> all(of.scene.surfaces.size());
+  raster::parallelFor(all.size(), [&](std::size_t s) {
+    all[s] = texelsOf(of.scene, of.discretization, normals, static_cast<std::uint32_t>(s), magnifications[s]);
+  });
+  Interpolation interpolation(seen, all, of.settings);
+  interpolation.run(progress);
+  result.drawn += interpolation.drawn();
+  result.error = interpolation.error();
+  raster::parallelFor(all.size(), [&](std::size_t s) {
+    for (std::size_t source = 0; source < of.direct.count(); ++source) addSource(of.direct, source, all[s]);
+  });
+  return all;
+}
+
+/// How much finer the elements of surfaces become, so that they have as many as the settings ask along the longer side;
+/// not more than there are texels, and 1 for all where that would be too many.
+Magnifications finerElements(const Gathering& of, const Magnifications& texels) {
+  constexpr std::size_t mostElements = std::size_t{1} << 20;
+  Magnifications finer(texels.size(), 1);
+  std::size_t count = 0;
+  for (std::size_t s = 0; s < finer.size(); ++s) {
+    const Grid& grid = of.discretization.grids[s];
+    while (isDiscretized(grid) && 2 * finer[s] <= texels[s] &&
+           finer[s] * std::max(grid.columns, grid.rows) < of.settings.elements)
+      finer[s] *= 2;
+    count += static_cast<std::size_t>(grid.columns * finer[s]) * static_cast<std::size_t>(grid.rows * finer[s]);
+  }
+  return count <= mostElements ? finer : Magnifications(texels.size(), 1);
+}
+
+/// Surfaces divided into finer elements; solids bury what they bury in the discretization.
+Discretization dividedFiner(const Gathering& of, const Magnifications& finer) {
+  DiscretizationSettings settings{.isUnburied = true};
+  for (std::size_t s = 0; s < finer.size(); ++s) {
+    const Grid& grid = of.discretization.grids[s];
+    settings.surfaceTexels[of.scene.surfaces[s].name] = {grid.columns * finer[s], grid.rows * finer[s]};
+    settings.isUnburied = settings.isUnburied && grid.cutTexels.empty();
+  }
+  return discretize(of.scene, settings);
+}
+
+/// The radiosity of finer elements, one per texel of `all`, without the emission of sources.
+BandTable radiosityOf(const Gathering& of, const Discretization& finer, const std::vector<Texels>& all) {
+  const ElementMaterials materials(of.scene, finer);
+  BandTable table(finer.elements.size(), materials.bands());
+  for (std::uint32_t e = 0; e < table.size(); ++e) {
+    const auto& [area, surface, texel] = finer.elements[e];
+    const std::span<const double> reflectance = materials.reflectance(surface, e), light = all[surface].light[texel];
+    for (std::size_t band = 0; band < table.bands; ++band) table[e][band] = reflectance[band] * light[band];
+    if (!of.direct.hasEmissionOf(surface)) addTo(table[e], materials.emission(surface, e));
+  }
+  return table;
+}
+
+}  // namespace
+
+GatheredLight gather(const Scene& scene, const Discretization& discretization, const IdLayout& layout,
+                     const TextureLayout& textures, const Solution& solution, const GatherSettings& settings,
+                     const std::function<void(double)>& progress) {
+  const DirectLight direct(scene, discretization);
+  const Gathering of{scene, discretization, direct, settings};
+  Magnifications magnifications;
+  for (const TexturePlace& place : textures.places)
+    magnifications.push_back(textures.textures[static_cast<std::size_t>(place.texture)].magnification);
+  GatheredLight result;
+  SeenElements seen(scene, discretization, layout, radiosityOf(scene, discretization, solution, direct),
+                    settings.resolution);
+  const Magnifications finer = finerElements(of, magnifications);
+  std::vector<Texels> all;
+  if (std::all_of(finer.begin(), finer.end(), [](int m) { return m == 1; })) {
+    all = litTexels(of, seen, magnifications, progress, result);
+  } else {
+    const Discretization divided = dividedFiner(of, finer);
+    const IdLayout finerLayout = layOut(divided);
+    SeenElements seenFiner(scene, divided, finerLayout,
+                           radiosityOf(of, divided, litTexels(of, seen, finer, progress, result)), settings.resolution);
+    all = litTexels(of, seenFiner, magnifications, progress, result);
+  }
+  const ElementMaterials materials(scene, discretization);
+  result.irradiance.resize(all.size());
+  raster::parallelFor(all.size(), [&](std::size_t s) {
+    result.irradiance[s] =
+        coloursOf(scene, discretization, materials, static_cast<std::uint32_t>(s), magnifications[s], all[s]);
+  });
+  for (const Texels& texels : all)
+    result.texels += static_cast<std::size_t>(
+        std::count_if(texels.places.begin(), texels.places.end(), [](const auto& place) { return place.has_value(); }));
+  return result;
+}
+
+std::vector<Image> irradianceTextures(const Discretization& discretization, const TextureLayout& textures,
+                                      const GatheredLight& light) {
+  return texturesOf(discretization, textures, [&](std::uint32_t surface) { return light.irradiance[surface]; });
+}
+
+std::vector<Image> radiosityTextures(const Scene& scene, const Discretization& discretization,
+                                     const TextureLayout& textures, const GatheredLight& light) {
+  const std::vector<ImageLevels> maps = levelsOfMaps(scene);
+  return texturesOf(discretization, textures, [&](std::uint32_t s) {
+    std::vector<glm::dvec3> texels = light.irradiance[s];
+    const Surface& surface = scene.surfaces[s];
+    const Grid& grid = discretization.grids[s];
+    const int magnification = textures.textures[static_cast<std::size_t>(textures.places[s].texture)].magnification;
+    if (hasMaps(scene, surface)) {
+      applyMaps(scene, maps, surface, grid.columns * magnification, grid.rows * magnification, texels);
+      return texels;
+    }
+    const glm::dvec3 reflected = reflectance(scene, discretization, grid.firstElement),
+                     emitted = emission(scene, discretization, grid.firstElement);
+    for (glm::dvec3& texel : texels) texel = emitted + reflected * texel;
+    return texels;
+  });
+}
+
+}  // namespace hemitex::radiosity
