@@ -19,8 +19,8 @@
 #include "raster/base/file_io.h"
 #include "raster/base/input_error.h"
 #include "reference/measurement/bench/render_times.h"
-#include "reference/measurement/bench/row_rates.h"
 #include "reference/measurement/paper/scenes.h"
+#include "reference/measurement/rates/row_rates.h"
 
 namespace hemitex::cli {
 namespace {

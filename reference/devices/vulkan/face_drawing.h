@@ -10,7 +10,7 @@
 #include "reference/devices/vulkan/pipeline.h"
 #include "reference/devices/vulkan/render_targets.h"
 #include "reference/devices/vulkan/tile_drawing.h"
-#include "reference/devices/vulkan/vulkan_renderer.h"
+#include "reference/devices/vulkan/vulkan_path.h"
 
 namespace hemitex::reference {
 

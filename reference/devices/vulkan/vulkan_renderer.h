@@ -9,12 +9,9 @@
 
 #include "raster/interface/draw_list.h"
 #include "raster/interface/item_buffer_renderer.h"
+#include "reference/devices/vulkan/vulkan_path.h"
 
 namespace hemitex::reference {
-
-/// How the device draws: with its pipeline for triangles, or by compute shaders (tile_drawing.h), which draw no
-/// features of version 2 of the rules.
-enum class VulkanPath { Graphics, Compute };
 
 /// Draws with the first device whose name contains `name`. Throws InputError if the list breaks the rules or exceeds
 /// the buffers of the device, or if there is no device (see context.h). Drawing throws InputError if a face breaks the

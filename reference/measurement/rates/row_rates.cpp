@@ -1,4 +1,4 @@
-#include "reference/measurement/bench/row_rates.h"
+#include "reference/measurement/rates/row_rates.h"
 
 #include <algorithm>
 #include <memory>
