@@ -86,7 +86,7 @@ class Solutions {
     RowsTogether together(drawn);
     if (!settings.isContinued && drawn.uncorrected().areFasterTogether()) {
       rows.rowOf = [&](const Patch& patch) { return together.row(patch); };
-      rows.prepare = [&](const Step& step) { together.lookAhead(step); };
+      rows.prepare = [&](const NextShots& next) { together.lookAhead(next); };
     }
     if (hooks_.rows) rows = hooks_.rows(std::move(rows), scene_, result_.discretization);
     std::optional<RowsAhead> ahead;

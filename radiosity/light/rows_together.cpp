@@ -12,17 +12,16 @@ constexpr std::size_t rowsKept = 8 * rowsAtOnce;
 
 }  // namespace
 
-void RowsTogether::lookAhead(const Step& step) {
-  if (step.isLast) return;
-  const std::vector<LikelyShot> next = step.likelyShots(1);
+void RowsTogether::lookAhead(const NextShots& shots) {
+  const std::vector<LikelyShot> next = shots.likely(1);
   if (next.empty() || ahead_.contains(next.front().patch)) return;
   if (ahead_.size() > rowsKept) ahead_.clear();
   std::vector<std::uint32_t> patches;
   std::vector<std::vector<ViewPoint>> points;
-  for (const LikelyShot& shot : step.likelyShots(rowsAtOnce)) {
+  for (const LikelyShot& shot : shots.likely(rowsAtOnce)) {
     if (shot.weight == 0) break;  // its row will have another resolution, as will those of the rest
     if (ahead_.contains(shot.patch)) continue;
-    std::vector<ViewPoint> likely = formFactors_.likelyPoints(step.patches, step.patches.list[shot.patch], shot.weight);
+    std::vector<ViewPoint> likely = formFactors_.likelyPoints(shots.patches, shots.patches.list[shot.patch], shot.weight);
     if (likely.empty() && patches.empty()) return;  // the next patch is split first
     if (likely.empty()) continue;
     patches.push_back(shot.patch);

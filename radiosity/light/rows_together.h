@@ -7,8 +7,8 @@
 #include <map>
 #include <vector>
 
+#include "radiosity/form_factors/patch_rows.h"
 #include "radiosity/form_factors/scene_form_factors.h"
-#include "radiosity/solver/progressive_solver.h"
 
 namespace hemitex::radiosity {
 
@@ -18,7 +18,7 @@ class RowsTogether {
   explicit RowsTogether(SceneFormFactors& formFactors) : formFactors_(formFactors) {}
 
   /// Draws the rows of likely shots, if that of the next one is missing. Call it after each shot.
-  void lookAhead(const Step& step);
+  void lookAhead(const NextShots& shots);
   /// The row of a patch.
   FormFactorRow row(const Patch& patch);
 
