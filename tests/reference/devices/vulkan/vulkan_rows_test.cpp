@@ -7,6 +7,7 @@
 #include "radiosity/light/light.h"
 #include "radiosity/scene/load_scene.h"
 #include "raster/base/input_error.h"
+#include "reference/devices/vulkan/vulkan_renderer.h"
 #include "reference/devices/vulkan/vulkan_sums.h"
 #include "tests/support/device_scenes.h"
 
