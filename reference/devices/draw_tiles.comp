@@ -26,14 +26,63 @@ double sumOf(dvec3 e, double values[3]) {
   return sum;
 }
 
-// Equal depths may differ in their last bits. Then the triangle drawn first stays.
+// Equal depths may differ in their last bits, and so may a texture coordinate and the border that it lies on. There,
+// numbers are sums of two doubles (pairs.glsl). What differs by less than 2^-90 of its size is equal.
+const double undecided = 1.7763568394002505e-15;       // 2^-49
+const double undecidedTexel = 9.094947017729282e-13;   // 2^-40
+const double equal = 8.077935669463161e-28;            // 2^-90
+
+// e_k g_k.
+Pair weight(Piece piece, dvec3 e, int k) {
+  return times(product(piece.w[(k + 1) % 3], piece.w[(k + 2) % 3]), e[k]);
+}
+
+// 1/w times the area and all w.
+Pair scaledInverse(Piece piece, dvec3 e) {
+  return add(add(weight(piece, e, 0), weight(piece, e, 1)), weight(piece, e, 2));
+}
+
+// The area times all w.
+Pair scale(Piece piece, dvec3 e) {
+  return times(times(product(piece.w[0], piece.w[1]), piece.w[2]), e.x + e.y + e.z);
+}
+
+// The sign of the difference of 1/w of two pieces at pixel p.
+int nearer(uint first, uint second, ivec2 p) {
+  dvec3 e, f;
+  Piece a = pieces[first], b = pieces[second];
+  covers(a, p, e);
+  covers(b, p, f);
+  Pair ofA = times(scaledInverse(a, e), scale(b, f)), ofB = times(scaledInverse(b, f), scale(a, e));
+  double difference = add(ofA, Pair(-ofB.high, -ofB.low)).high;
+  return abs(difference) <= equal * ofA.high ? 0 : difference > 0 ? 1 : -1;
+}
+
 void test(uint place, ivec2 p, inout Nearest nearest) {
   dvec3 e;
   Piece piece = pieces[place];
   if (!covers(piece, p, e)) return;
   double inverse = sumOf(e, piece.one) * piece.volume, difference = inverse - nearest.inverse;
-  bool isEqual = abs(difference) <= 1.7763568394002505e-15 * inverse;  // 2^-49
-  if (isEqual ? piece.triangle < nearest.triangle : difference > 0) nearest = Nearest(inverse, place, piece.triangle);
+  int sign = difference > 0 ? 1 : -1;
+  if (abs(difference) <= undecided * inverse) sign = nearer(place, nearest.piece, p);
+  // Of equal depths, the triangle drawn first stays.
+  if (sign == 0 ? piece.triangle < nearest.triangle : sign > 0) nearest = Nearest(inverse, place, piece.triangle);
+}
+
+// floor(size sum(e_k g_k t_k) / sum(e_k g_k)).
+double floorOf(Piece piece, dvec3 e, double t[3], int size) {
+  dvec3 weights = e * dvec3(piece.one[0], piece.one[1], piece.one[2]);
+  double position = size * sumOf(weights, t) / (weights.x + weights.y + weights.z), border = floor(position + 0.5);
+  double largest = max(max(abs(t[0]), abs(t[1])), abs(t[2]));
+  if (abs(position - border) > undecidedTexel * size * largest) return floor(position);
+  Pair beyond = Pair(0, 0);
+  double all = 0;
+  for (int k = 0; k < 3; ++k) {
+    Pair part = times(weight(piece, e, k), add(product(t[k], size), Pair(-border, 0)));
+    beyond = add(beyond, part);
+    all += abs(part.high);
+  }
+  return beyond.high >= -equal * all ? border : border - 1;
 }
 
 uint idOf(uint place, ivec2 p) {
@@ -43,8 +92,8 @@ uint idOf(uint place, ivec2 p) {
   Draw draw = draws[corners[3 * piece.triangle].draw];
   if (piece.isBack != 0 && draw.hasBack != 0) return draw.back;
   if (draw.width == 0) return draw.offset;
-  dvec2 position = dvec2(sumOf(e, piece.column), sumOf(e, piece.row)) / sumOf(e, piece.one);
-  uvec2 texel = uvec2(clamp(floor(position), dvec2(0), dvec2(draw.width, draw.height) - 1));
+  dvec2 position = dvec2(floorOf(piece, e, piece.u, draw.width), floorOf(piece, e, piece.v, draw.height));
+  uvec2 texel = uvec2(clamp(position, dvec2(0), dvec2(draw.width, draw.height) - 1));
   return blended(draw.offset, texels[draw.firstTexel + texel.y * uint(draw.width) + texel.x]);
 }
 

@@ -11,7 +11,6 @@ bool isOutside(vec3 a, vec3 b, vec3 c) {
 }
 
 void addPiece(uint f, uint triangle, Vertex part[3]) {
-  Draw draw = draws[corners[3 * triangle].draw];
   Piece piece;
   for (int k = 0; k < 3; ++k) {
     dvec2 s = snapped(clamp(part[k].seen.xy / part[k].seen.z, dvec2(-8), dvec2(8)));
@@ -41,10 +40,10 @@ void addPiece(uint f, uint triangle, Vertex part[3]) {
   if (any(greaterThan(from, to))) return;
   for (int k = 0; k < 3; ++k) {
     precise double one = part[(k + 1) % 3].seen.z * part[(k + 2) % 3].seen.z;
-    precise double column = draw.width * part[k].texcoord.x * one, row = draw.height * part[k].texcoord.y * one;
     piece.one[k] = one;
-    piece.column[k] = column;
-    piece.row[k] = row;
+    piece.w[k] = part[k].seen.z;
+    piece.u[k] = part[k].texcoord.x;
+    piece.v[k] = part[k].texcoord.y;
   }
   precise double volume = 1 / (part[0].seen.z * piece.one[0] * area);
   piece.volume = volume;

@@ -18,8 +18,8 @@ struct Piece {
   int x[3], y[3];
   uint triangle;  // its number in the draw order
   uint isBack;
-  double volume;                     // 1 / (area w_0 w_1 w_2)
-  double one[3], column[3], row[3];  // g_k, g_k u_k N, g_k v_k M
+  double w[3], u[3], v[3];
+  double one[3], volume;  // g_k and 1 / (area w_0 w_1 w_2), rounded
 };
 
 layout(std430, binding = 3) readonly buffer Faces { Face faces[]; };

@@ -24,7 +24,7 @@ struct ShaderList {
   std::uint32_t triangles;
   raster::ItemId background;
 };
-constexpr std::size_t bytesOfBox = 8, bytesOfPiece = 112, piecesPerTriangle = 6;
+constexpr std::size_t bytesOfBox = 8, bytesOfPiece = 136, piecesPerTriangle = 6;
 
 std::array<vk::DescriptorType, 9> bindingTypes() {
   std::array<vk::DescriptorType, 9> types;
