@@ -34,7 +34,11 @@ TEST_CASE("hemitex solve --max-error chooses the settings and reports them", "[c
         std::string::npos);
 
   // Out of reach: one message with a bound that can be reached, and nothing is left behind.
-  const Outcome outcome = shell.run("solve room.obj --texels 4 --max-error 5e-5 -o out");
+  writeAll(shell.file("pair.mtl"), "newmtl grey\nKd .5 .5 .5\nnewmtl lamp\nKe 1 1 1\n");
+  writeAll(shell.file("pair.obj"),
+           "mtllib pair.mtl\nv 0 0 0\nv 1 0 0\nv 1 0 1\nv 0 0 1\nv 0 1 0\nv 1 1 0\nv 1 1 1\nv 0 1 1\n"
+           "usemtl grey\ng floor\nf 1 4 3 2\nusemtl lamp\ng ceiling\nf 5 6 7 8\n");
+  const Outcome outcome = shell.run("solve pair.obj --texels 2 --max-error 1e-9 -o out");
   CHECK(outcome.exitCode == 2);
   CHECK(outcome.err.find("out of reach") != std::string::npos);
   CHECK_FALSE(fs::exists(shell.file("out")));
