@@ -191,7 +191,8 @@ std::vector<std::string> textsOf(const std::vector<radiosity::SolutionWarning>& 
 py::dict aboutSolution(const Solved& solved) {
   const radiosity::Energy& energy = solved.solution->energy;
   const bool areWavelengths = !solved.elements->scene->wavelengths.empty();
-  const auto listed = [areWavelengths](radiosity::Bands flux) {
+  const auto listed = [&](const radiosity::Bands& inSquareUnits) {
+    radiosity::Bands flux = radiosity::scaled(inSquareUnits, solved.elements->scene->squareMetres);
     if (areWavelengths) std::ranges::reverse(flux);
     return py::tuple(py::cast(flux));
   };

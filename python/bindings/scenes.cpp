@@ -13,6 +13,7 @@
 #include "radiosity/discretization/discretize.h"
 #include "radiosity/discretization/exposure.h"
 #include "radiosity/discretization/patch_points.h"
+#include "radiosity/meshes/length_unit.h"
 #include "radiosity/meshes/polygon_mesh.h"
 #include "radiosity/pictures/default_camera.h"
 #include "radiosity/scene/load_scene.h"
@@ -74,7 +75,13 @@ std::shared_ptr<const Scene> shared(Scene scene, const radiosity::SceneSettings&
 
 PythonScene loadScene(const std::filesystem::path& file, const py::dict& given) {
   const radiosity::SceneSettings settings = sceneSettings(Settings(given));
-  return {unlocked([&] { return shared(radiosity::loadScene(file, settings), settings); }), settings.facets};
+  return {unlocked([&] {
+            Scene scene = radiosity::loadScene(file, settings);
+            const double metres = radiosity::statedMetresPerUnit(file, scene.warnings).value_or(1);
+            scene.squareMetres = metres * metres;
+            return shared(std::move(scene), settings);
+          }),
+          settings.facets};
 }
 
 /// The mesh of faces, of which each belongs to a section: a group with a material, whose name is its number.

@@ -192,7 +192,8 @@ def load_scene(file: str | os.PathLike[str],
                mirrors: Sequence[tuple[Literal["x", "y", "z"], float]] = (),
                period: Vector = 0.0,
                repeats: int | None = None) -> Scene:
-    """Reads OBJ with MTL, glTF, STL, PLY, VTK or View3D files, as `hemitex solve` does.
+    """Reads OBJ with MTL, glTF, STL, PLY, VTK or View3D files, as `hemitex solve` does. A unit of length that an OBJ
+    file states, such as `# units: mm`, makes fluxes those in W; lengths and areas stay in the unit of the file.
 
     emission: the unit of `Ke`. lumens_per_watt: divides candela and lux of the lights of a glTF file. crease: the angle
     in degrees at which curved parts end. facets: each face of the file is a surface of one element, named by its
