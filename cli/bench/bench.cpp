@@ -146,7 +146,7 @@ void addBench(Command program, Context& context) {
       .addFlag("--rows", options->rows,
                "print only how many rows a second threads and devices compute, over the levels of the paper")
       .excludes(command.option("--output"));
-  command.addExamples({"data/cornell-box.obj --resolution 256", "-o bench", "--rows --threads 16"});
+  command.addExamples({"data/cornell-box.obj --resolution 256 -o bench", "--rows --threads 16"});
   command.onRead([options, &context] { context.command = [options, &context] { bench(*options, context); }; });
 }
 

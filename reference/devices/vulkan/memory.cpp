@@ -86,4 +86,14 @@ VulkanImage makeImage(const VulkanContext& context, vk::Format format, vk::Image
   return {std::move(memory), std::move(image), std::move(all), std::move(each)};
 }
 
+void awaitWrites(const vk::raii::CommandBuffer& commands) {
+  using Stage = vk::PipelineStageFlagBits2;
+  using Access = vk::AccessFlagBits2;
+  const vk::MemoryBarrier2 barrier{.srcStageMask = Stage::eComputeShader | Stage::eTransfer,
+                                   .srcAccessMask = Access::eShaderWrite | Access::eTransferWrite,
+                                   .dstStageMask = Stage::eComputeShader,
+                                   .dstAccessMask = Access::eShaderRead | Access::eShaderWrite};
+  commands.pipelineBarrier2(vk::DependencyInfo().setMemoryBarriers(barrier));
+}
+
 }  // namespace hemitex::reference

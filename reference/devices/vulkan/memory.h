@@ -44,4 +44,7 @@ struct VulkanImage {
 VulkanImage makeImage(const VulkanContext& context, vk::Format format, vk::ImageAspectFlags aspect,
                       vk::ImageUsageFlags usage, vk::Extent2D size, std::uint32_t layers);
 
+/// Compute shaders that follow wait for what compute shaders, copies and fills before wrote.
+void awaitWrites(const vk::raii::CommandBuffer& commands);
+
 }  // namespace hemitex::reference

@@ -65,16 +65,6 @@ void setSkipped(const raster::DrawList& list, const DrawnView& view, std::span<s
   }
 }
 
-void awaitWrites(const vk::raii::CommandBuffer& commands) {
-  using Stage = vk::PipelineStageFlagBits2;
-  using Access = vk::AccessFlagBits2;
-  const vk::MemoryBarrier2 barrier{.srcStageMask = Stage::eComputeShader | Stage::eTransfer,
-                                   .srcAccessMask = Access::eShaderWrite | Access::eTransferWrite,
-                                   .dstStageMask = Stage::eComputeShader,
-                                   .dstAccessMask = Access::eShaderRead | Access::eShaderWrite};
-  commands.pipelineBarrier2(vk::DependencyInfo().setMemoryBarriers(barrier));
-}
-
 }  // namespace
 
 TilePipeline makeTilePipeline(const VulkanContext& context, const raster::DrawList& list) {

@@ -217,6 +217,7 @@ void VulkanSums::record(const Flight& flight, std::span<const SummedView> views)
   if (place.isNew) {
     commands.fillBuffer(*place.sums.buffer, 0, VK_WHOLE_SIZE, 0);
     commands.fillBuffer(*place.touched.buffer, 0, VK_WHOLE_SIZE, 0);
+    awaitWrites(commands);
   }
   std::vector<DrawnView> drawn;
   std::uint32_t faces = 0;
@@ -237,12 +238,7 @@ void VulkanSums::recordSums(const Flight& flight, std::uint32_t faces, std::uint
   commands.pushConstants<ShaderTable>(*layout_, vk::ShaderStageFlagBits::eCompute, 0, constants_);
   commands.bindPipeline(compute, *sumPixels_);
   commands.dispatch(dividedUp(size.width, groupColumns), dividedUp(size.height, groupRows), faces);
-  const vk::MemoryBarrier2 summed{
-      .srcStageMask = vk::PipelineStageFlagBits2::eComputeShader,
-      .srcAccessMask = vk::AccessFlagBits2::eShaderWrite,
-      .dstStageMask = vk::PipelineStageFlagBits2::eComputeShader,
-      .dstAccessMask = vk::AccessFlagBits2::eShaderRead | vk::AccessFlagBits2::eShaderWrite};
-  commands.pipelineBarrier2(vk::DependencyInfo().setMemoryBarriers(summed));
+  awaitWrites(commands);
   commands.bindPipeline(compute, *listSums_);
   commands.dispatch(views, 1, 1);
 }

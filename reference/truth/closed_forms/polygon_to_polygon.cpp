@@ -195,8 +195,9 @@ std::vector<Real> cutsAlong(const Edge<Real>& outer, const Edge<Real>& inner) {
 template <typename Real>
 Estimate<Real> logarithmOver(const Edge<Real>& outer, const Edge<Real>& inner) {
   const Real epsilon = std::numeric_limits<Real>::epsilon();
-  // The integrands are bounded, so that the rule need not come nearer to the ends than this.
-  static boost::math::quadrature::tanh_sinh<Real> rule(12, epsilon * epsilon);
+  // The integrands are bounded, so that the rule need not come nearer to the ends than this. Each thread has a rule of
+  // its own: Boost announces a finer step before it has computed all its points.
+  thread_local boost::math::quadrature::tanh_sinh<Real> rule(12, epsilon * epsilon);
   Estimate<Real> total;
   const std::vector<Real> cuts = cutsAlong(outer, inner);
   for (std::size_t i = 1; i < cuts.size(); ++i) {
