@@ -5,10 +5,11 @@ layout(local_size_x = 4, local_size_y = 16) in;
 const uint pixelsAtOnce = 32;
 
 uint slotOf(uint id) {
-  uint number = id >> bits, background = back + 1;
-  Block block = number < blockCount ? blocks[number] : Block(0, 0, 0);
-  uint index = id - (number << bits);
-  if (index >= block.count) return id == backId ? back : background;
+  uint number = id >> bits, index = id - (number << bits), background = back + 1;
+  uint other = id == backId ? back : background;
+  if (number >= blockCount) return other;
+  Block block = blocks[number];
+  if (index >= block.count) return other;
   return block.table == ~0u ? block.first + index : min(slots[block.table + index], background);
 }
 

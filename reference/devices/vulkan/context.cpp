@@ -46,8 +46,9 @@ vk::raii::Device makeDevice(const vk::raii::PhysicalDevice& physicalDevice, std:
   const bool int64 = addsInt64(physicalDevice);
   const vk::PhysicalDeviceFeatures features{.shaderFloat64 = true, .shaderInt64 = int64};
   vk::PhysicalDeviceVulkan12Features features12{.shaderBufferInt64Atomics = int64};
+  // The compiler of shaders states the sizes of workgroups in a way that needs maintenance4; all of Vulkan 1.3 have it.
   const vk::PhysicalDeviceVulkan13Features features13{
-      .pNext = &features12, .synchronization2 = true, .dynamicRendering = true};
+      .pNext = &features12, .synchronization2 = true, .dynamicRendering = true, .maintenance4 = true};
   const vk::DeviceCreateInfo info{.pNext = &features13, .pEnabledFeatures = &features};
   return {physicalDevice, vk::DeviceCreateInfo(info).setQueueCreateInfos(queue)};
 }
