@@ -46,7 +46,7 @@ build_program() {
 
 copy_pages() {
   mkdir "$kit/docs"
-  cp docs/backend.md docs/faults.md docs/item-buffers.md docs/real-gpu.md "$kit/docs"
+  cp docs/backend.md docs/faults.md docs/gpu.md docs/item-buffers.md docs/real-gpu.md "$kit/docs"
   local example
   for example in own_backend compute_rasterizer; do
     install -D "examples/$example.cpp" "$kit/examples/$example.cpp"
