@@ -8,7 +8,8 @@ function solved({run, folder}, stop, edits) {
   // With --edits, also without any, no part of a surface counts as covered.
   const elements = ["--texels", "16", "--surface", "short-block=8", "--surface", "tall-block=8", "--patch", "4"];
   const files = ["--edits", join(folder, "edits.json"), "-o", join(folder, "lit"), "--size", "64x48", "-q"];
-  run("solve", "data/cornell-box.obj", ...elements, "--resolution", "64", "--split", "0.2", ...stop, ...files);
+  const drawing = ["--resolution", "64", "--split", "0.2"];
+  run("solve", "data/cornell-box.obj", "--scale", "1", ...elements, ...drawing, ...stop, ...files);  // page: no unit
   const read = (path) => JSON.parse(readFileSync(join(folder, "lit", path), "utf8"));
   return {before: read("solution.json"), after: read("frame-1/solution.json")};
 }
