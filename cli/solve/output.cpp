@@ -68,6 +68,13 @@ radiosity::TextureLayout texturesOf(const SolvedScene& solved) {
   return radiosity::layOutTextures(solved.scene, solved.discretization, magnificationOf(solved.options));
 }
 
+/// The radiosity of each texel, gathered or that of its element.
+std::vector<radiosity::Image> linearTextures(const SolvedScene& solved, const radiosity::TextureLayout& layout) {
+  if (solved.gathered)
+    return radiosity::radiosityTextures(solved.scene, solved.discretization, layout, *solved.gathered);
+  return radiosity::radiosityTextures(solved.discretization, layout, solved.solution.radiosity);
+}
+
 std::vector<std::string> writeLightMaps(const std::filesystem::path& folder, const SolvedScene& solved,
                                         const radiosity::TextureLayout& layout, const radiosity::PictureView& view) {
   std::vector<glm::dvec3> irradiance = solved.solution.irradiance;
@@ -122,11 +129,8 @@ std::optional<radiosity::LitScene> litScene(const SolvedScene& solved) {
   if (solved.options.noTextures) return std::nullopt;
   const radiosity::TextureLayout layout = texturesOf(solved);
   if (solved.gathered)
-    return radiosity::makeLitScene(
-        solved.scene, solved.discretization, layout,
-        radiosity::codedTextures(
-            radiosity::radiosityTextures(solved.scene, solved.discretization, layout, *solved.gathered),
-            exposureOf(solved)));
+    return radiosity::makeLitScene(solved.scene, solved.discretization, layout,
+                                   radiosity::codedTextures(linearTextures(solved, layout), exposureOf(solved)));
   return radiosity::makeLitScene(solved.scene, solved.discretization, layout,
                                  radiosity::displayValues(solved.scene, solved.discretization, solved.solution),
                                  exposureOf(solved), filterOf(solved.options));
@@ -139,12 +143,7 @@ std::vector<std::string> writeSolved(const std::filesystem::path& folder, const 
                                     radiosity::upAxis(solved.scene, options.camera.upAxis),
                                     options.metresPerUnit.value_or(1)};
   std::vector<std::string> warnings;
-  if (lit)
-    warnings = radiosity::writeLitScene(
-        folder, *lit, view,
-        solved.gathered
-            ? radiosity::radiosityTextures(solved.scene, solved.discretization, lit->layout, *solved.gathered)
-            : radiosity::radiosityTextures(solved.discretization, lit->layout, solved.solution.radiosity));
+  if (lit) warnings = radiosity::writeLitScene(folder, *lit, view, linearTextures(solved, lit->layout));
   if (lit && !solved.scene.wavelengths.empty())  // in place of the textures of the colour alone
     radiosity::writeBandTextures(folder, solved.discretization, lit->layout, solved.solution, solved.scene.wavelengths);
   if (options.lightmap)

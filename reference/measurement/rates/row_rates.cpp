@@ -7,29 +7,16 @@
 #include "raster/base/parallel.h"
 #include "reference/measurement/bench/equal_time_error.h"
 #include "reference/measurement/bench/timing.h"
+#include "reference/measurement/rates/read_back.h"
 
 namespace hemitex::reference {
 namespace {
-
-/// A renderer whose pixels are read back.
-class ReadBack final : public raster::ItemBufferRenderer {
- public:
-  explicit ReadBack(raster::ItemBufferRenderer& renderer) : renderer_(renderer) {}
-
-  void draw(std::span<const raster::Face> faces, std::span<const std::uint32_t> skipped,
-            std::vector<raster::ItemBuffer>& buffers, const std::function<void(std::size_t)>& drawn) override {
-    renderer_.draw(faces, skipped, buffers, drawn);
-  }
-
- private:
-  raster::ItemBufferRenderer& renderer_;
-};
 
 /// Rows of a renderer.
 struct Method {
   std::string what;
   int threads = 1;
-  std::unique_ptr<raster::ItemBufferRenderer> renderer, readBack = {};
+  std::unique_ptr<raster::ItemBufferRenderer> renderer;
   std::unique_ptr<radiosity::ProjectedFormFactors> rows = {};
 };
 
@@ -41,26 +28,19 @@ std::vector<Method> methodsOf(const PaperScene& scene, const PaperLevel& level, 
     return radiosity::sceneRenderer(scene.scene, level.discretization, level.layout, radiosity::ElementsBy::Texture,
                                     make);
   };
-  const auto add = [&](Method method, raster::ItemBufferRenderer& drawing) {
-    method.rows = std::make_unique<radiosity::ProjectedFormFactors>(
-        scene.scene, level.discretization, level.layout, drawing, radiosity::ViewSettings{.resolution = resolution});
+  const auto add = [&](const std::string& what, int used, std::unique_ptr<raster::ItemBufferRenderer> drawing) {
+    Method method{what, used, std::move(drawing)};
+    method.rows = std::make_unique<radiosity::ProjectedFormFactors>(scene.scene, level.discretization, level.layout,
+                                                                    *method.renderer,
+                                                                    radiosity::ViewSettings{.resolution = resolution});
     methods.push_back(std::move(method));
   };
-  const auto addSoftware = [&](int used, const std::string& unit) {
-    Method method{"software, " + std::to_string(used) + unit, used, renderer(radiosity::softwareRenderer)};
-    raster::ItemBufferRenderer& drawing = *method.renderer;
-    add(std::move(method), drawing);
-  };
-  addSoftware(1, " thread");
-  if (threads > 1) addSoftware(threads, " threads");
+  add("software, 1 thread", 1, renderer(radiosity::softwareRenderer));
+  if (threads > 1)
+    add("software, " + std::to_string(threads) + " threads", threads, renderer(radiosity::softwareRenderer));
   for (const PaperDevice& device : devices) {
-    Method method{device.name + ", read back", threads, renderer(device.makeRenderer)};
-    method.readBack = std::make_unique<ReadBack>(*method.renderer);
-    raster::ItemBufferRenderer& drawing = *method.readBack;
-    add(std::move(method), drawing);
-    Method summed{device.name + ", summed", threads, renderer(device.makeRenderer)};
-    raster::ItemBufferRenderer& summing = *summed.renderer;
-    add(std::move(summed), summing);
+    add(device.name + ", read back", threads, std::make_unique<ReadBack>(renderer(device.makeRenderer)));
+    add(device.name + ", summed", threads, renderer(device.makeRenderer));
     if (!methods.back().rows->areFasterTogether()) methods.pop_back();
   }
   return methods;

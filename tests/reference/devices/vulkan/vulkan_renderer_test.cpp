@@ -9,23 +9,13 @@
 #include "reference/conformance/vectors/random_vectors.h"
 #include "reference/devices/vulkan/memory.h"
 #include "tests/support/device_scenes.h"
+#include "tests/support/vulkan_device.h"
 
 using namespace hemitex;
 using reference::makeVulkanRenderer;
 using reference::TestVector;
 
 namespace {
-
-bool hasDevice() {
-  try {
-    makeVulkanRenderer(tests::plainList());
-    return true;
-  } catch (const raster::InputError& error) {
-    REQUIRE(std::string(error.what()).starts_with("no Vulkan device"));
-    WARN("skipped: " << error.what());
-    return false;
-  }
-}
 
 std::vector<raster::ItemBuffer> draw(const TestVector& vector) {
   return render(*makeVulkanRenderer(vector.list), facesOf(vector));
@@ -44,7 +34,7 @@ std::string refusal(const raster::DrawList& list) {
 
 TEST_CASE("makeVulkanRenderer draws the whole suite without errors, and 99.99 % of the covered pixels exactly",
           "[vulkan]") {
-  if (!hasDevice()) return;
+  if (!tests::hasVulkanDevice()) return;
   tests::Tally suite;
   for (const TestVector& vector : reference::wholeSuite(HEMITEX_DATA)) {
     INFO(vector.name);
@@ -58,7 +48,7 @@ TEST_CASE("makeVulkanRenderer draws the whole suite without errors, and 99.99 % 
 }
 
 TEST_CASE("makeVulkanRenderer draws random vectors of all families without errors", "[vulkan]") {
-  if (!hasDevice()) return;
+  if (!tests::hasVulkanDevice()) return;
   for (std::uint64_t index = 0; index < 200; ++index) {
     const TestVector vector = reference::interleavedRandomVector(0, index);
     INFO(vector.name);
@@ -67,7 +57,7 @@ TEST_CASE("makeVulkanRenderer draws random vectors of all families without error
 }
 
 TEST_CASE("makeVulkanRenderer draws version 2 of the rules without errors", "[vulkan]") {
-  if (!hasDevice()) return;
+  if (!tests::hasVulkanDevice()) return;
   tests::Tally all;
   for (const TestVector& vector : tests::version2Vectors(30)) {
     INFO(vector.name);
@@ -80,7 +70,7 @@ TEST_CASE("makeVulkanRenderer draws version 2 of the rules without errors", "[vu
 }
 
 TEST_CASE("makeVulkanRenderer assembles strips, instances and pairs itself", "[vulkan]") {
-  if (!hasDevice()) return;
+  if (!tests::hasVulkanDevice()) return;
   for (const TestVector& vector : reference::drawVectors()) {
     INFO(vector.name);
     CHECK(render(*makeVulkanRenderer(sourceOf(vector)), facesOf(vector)).front().ids == draw(vector).front().ids);
@@ -88,7 +78,7 @@ TEST_CASE("makeVulkanRenderer assembles strips, instances and pairs itself", "[v
 }
 
 TEST_CASE("openVulkanDevice opens devices of one instance, as many as a process needs", "[vulkan]") {
-  if (!hasDevice()) return;
+  if (!tests::hasVulkanDevice()) return;
   std::vector<std::unique_ptr<raster::ItemBufferRenderer>> renderers;
   for (int k = 0; k < 64; ++k) renderers.push_back(makeVulkanRenderer(tests::plainList()));
   // Physical devices belong to their instance: another one would have another handle.
@@ -98,7 +88,7 @@ TEST_CASE("openVulkanDevice opens devices of one instance, as many as a process 
 }
 
 TEST_CASE("openVulkanDevice opens the device of a name, and names the others where there is none", "[vulkan]") {
-  if (!hasDevice()) return;
+  if (!tests::hasVulkanDevice()) return;
   const std::string name = reference::vulkanDeviceName();
   CHECK(reference::vulkanDeviceName(name.substr(1, 5)) == name);
   CHECK_NOTHROW(makeVulkanRenderer(tests::plainList(), name));
@@ -122,7 +112,7 @@ TEST_CASE("memoryType prefers the first choice, and takes the next where the dev
 }
 
 TEST_CASE("makeVulkanRenderer leaves out skipped triangles", "[vulkan]") {
-  if (!hasDevice()) return;
+  if (!tests::hasVulkanDevice()) return;
   TestVector vector = tests::suiteVector("five-faces");
   const raster::DrawList whole = vector.list;
   std::vector<std::uint32_t> all(whole.indices.size() / 3);
@@ -135,7 +125,7 @@ TEST_CASE("makeVulkanRenderer leaves out skipped triangles", "[vulkan]") {
 }
 
 TEST_CASE("makeVulkanRenderer draws a face the same alone and among others, before and after larger ones", "[vulkan]") {
-  if (!hasDevice()) return;
+  if (!tests::hasVulkanDevice()) return;
   const TestVector vector = tests::suiteVector("five-faces");
   const std::vector<raster::Face> faces = facesOf(vector);
   raster::Face large = faces[0];
@@ -161,7 +151,7 @@ TEST_CASE("makeVulkanRenderer draws a face the same alone and among others, befo
 }
 
 TEST_CASE("makeVulkanRenderer drops triangles with a value that is not finite", "[vulkan]") {
-  if (!hasDevice()) return;
+  if (!tests::hasVulkanDevice()) return;
   const raster::DrawList list = tests::wallsWithoutFiniteValues();
   const raster::Face face = tests::scaledFrontFace();
   const std::vector<raster::ItemId> expected = tests::drawOne(list, face).ids;
@@ -170,7 +160,7 @@ TEST_CASE("makeVulkanRenderer drops triangles with a value that is not finite", 
 }
 
 TEST_CASE("makeVulkanRenderer throws InputError for lists and faces that break the rules", "[vulkan]") {
-  if (!hasDevice()) return;
+  if (!tests::hasVulkanDevice()) return;
   raster::DrawList list = tests::plainList();
   CHECK(refusal(list).empty());
   tests::addDraw(list, 0, {}, 0);

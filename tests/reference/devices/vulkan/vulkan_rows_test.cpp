@@ -12,7 +12,9 @@
 #include "reference/devices/vulkan/vulkan_renderer.h"
 #include "reference/devices/vulkan/vulkan_sums.h"
 #include "reference/measurement/bench/equal_time_error.h"
+#include "reference/measurement/rates/read_back.h"
 #include "tests/support/device_scenes.h"
+#include "tests/support/vulkan_device.h"
 
 using namespace hemitex;
 using reference::makeVulkanRenderer;
@@ -23,33 +25,9 @@ namespace {
 
 constexpr std::array<VulkanPath, 2> paths{VulkanPath::Graphics, VulkanPath::Compute};
 
-bool hasDevice() {
-  try {
-    makeVulkanRenderer(tests::plainList());
-    return true;
-  } catch (const raster::InputError& error) {
-    REQUIRE(std::string(error.what()).starts_with("no Vulkan device"));
-    WARN("skipped: " << error.what());
-    return false;
-  }
-}
-
 radiosity::RendererFactory drawnBy(VulkanPath path) {
   return [path](const raster::DrawList& list) { return makeVulkanRenderer(list, "", path); };
 }
-
-/// A renderer without sums of its own.
-class ReadBack final : public raster::ItemBufferRenderer {
- public:
-  explicit ReadBack(std::unique_ptr<raster::ItemBufferRenderer> renderer) : renderer_(std::move(renderer)) {}
-  void draw(std::span<const raster::Face> faces, std::span<const std::uint32_t> skipped,
-            std::vector<raster::ItemBuffer>& buffers, const std::function<void(std::size_t)>& drawn) override {
-    renderer_->draw(faces, skipped, buffers, drawn);
-  }
-
- private:
-  std::unique_ptr<raster::ItemBufferRenderer> renderer_;
-};
 
 std::vector<glm::dvec3> lightOf(const radiosity::Scene& scene, const radiosity::RendererFactory& renderer) {
   radiosity::LightHooks hooks;
@@ -69,7 +47,7 @@ std::vector<std::uint64_t> weightsBefore(std::size_t pixels) {
 }  // namespace
 
 TEST_CASE("A solution with rows by compute shaders has the bits of the software's", "[vulkan]") {
-  if (!hasDevice()) return;
+  if (!tests::hasVulkanDevice()) return;
   for (const char* file : {"/cornell-box.obj", "/pyramid-room.obj"}) {
     const radiosity::Scene scene = radiosity::loadScene(std::string(HEMITEX_DATA) + file);
     CHECK(lightOf(scene, drawnBy(VulkanPath::Compute)) == lightOf(scene, radiosity::softwareRenderer));
@@ -79,7 +57,7 @@ TEST_CASE("A solution with rows by compute shaders has the bits of the software'
 // Views from the middles of elements show aligned grids in perspective. There samples lie on borders of texels that
 // double precision misses by its last bit: with it alone, 4 of these 20 rows are wrong.
 TEST_CASE("Compute shaders give rows of the gallery the bits of the software's", "[vulkan]") {
-  if (!hasDevice()) return;
+  if (!tests::hasVulkanDevice()) return;
   const radiosity::Scene scene = radiosity::loadScene(HEMITEX_DATA "/gallery.obj");
   const radiosity::Discretization discretization = radiosity::discretize(scene, {});
   const radiosity::IdLayout layout = radiosity::layOut(discretization, {});
@@ -97,16 +75,16 @@ TEST_CASE("Compute shaders give rows of the gallery the bits of the software's",
 }
 
 TEST_CASE("A solution has the same bits whether a device sums pixels or they are read back", "[vulkan]") {
-  if (!hasDevice()) return;
+  if (!tests::hasVulkanDevice()) return;
   const radiosity::Scene scene = radiosity::loadScene(HEMITEX_DATA "/cornell-box.obj");
   const auto readBack = [](const raster::DrawList& list) {
-    return std::make_unique<ReadBack>(makeVulkanRenderer(list));
+    return std::make_unique<reference::ReadBack>(makeVulkanRenderer(list));
   };
   CHECK(lightOf(scene, drawnBy(VulkanPath::Graphics)) == lightOf(scene, readBack));
 }
 
 TEST_CASE("Compute shaders draw the whole suite as the rules say", "[vulkan]") {
-  if (!hasDevice()) return;
+  if (!tests::hasVulkanDevice()) return;
   for (const TestVector& vector : reference::vectorSuite()) {
     INFO(vector.name);
     const auto renderer = makeVulkanRenderer(vector.list, "", VulkanPath::Compute);
@@ -119,14 +97,14 @@ TEST_CASE("Compute shaders draw the whole suite as the rules say", "[vulkan]") {
 }
 
 TEST_CASE("Compute shaders refuse what they do not draw", "[vulkan]") {
-  if (!hasDevice()) return;
+  if (!tests::hasVulkanDevice()) return;
   raster::DrawList list = tests::plainList();
   list.value = raster::PixelValue::TriangleNumbers;
   CHECK_THROWS_AS(makeVulkanRenderer(list, "", VulkanPath::Compute), raster::InputError);
 }
 
 TEST_CASE("Vulkan sums pixels to the slots of their item IDs, with additions of 64 bits or in halves", "[vulkan]") {
-  if (!hasDevice()) return;
+  if (!tests::hasVulkanDevice()) return;
   const TestVector vector = tests::suiteVector("five-faces");
   const std::vector<raster::Face> faces = facesOf(vector);
   const std::vector<raster::ItemBuffer> buffers = render(*makeVulkanRenderer(vector.list), faces);
