@@ -215,7 +215,7 @@ class Interpolation {
   }
 
   std::size_t drawn() const { return drawn_; }
-  /// See GatheredLight; `total` has the whole light of texels.
+  /// See GatheredLight.
   double error() const { return checks_.empty() ? 0 : std::sqrt(squares_ / static_cast<double>(checks_.size())); }
 
  private:
