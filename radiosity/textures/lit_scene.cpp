@@ -221,10 +221,4 @@ std::vector<std::string> writeLitScene(const std::filesystem::path& folder, cons
   return warning ? std::vector{*warning} : std::vector<std::string>();
 }
 
-std::vector<std::string> writeLitScene(const std::filesystem::path& folder, const LitScene& lit,
-                                       const PictureView& view, const Discretization& discretization,
-                                       const std::vector<glm::dvec3>& radiosity) {
-  return writeLitScene(folder, lit, view, radiosityTextures(discretization, lit.layout, radiosity));
-}
-
 }  // namespace hemitex::radiosity

@@ -7,6 +7,7 @@
 
 #include "radiosity/scene/load_scene.h"
 #include "radiosity/textures/lit_scene.h"
+#include "radiosity/textures/radiosity_texture.h"
 #include "raster/base/input_error.h"
 #include "tests/support/glb.h"
 #include "tests/support/picture_scenes.h"
@@ -41,6 +42,12 @@ struct FarRoom {
     return makeLitScene(scene, discretization, layOutTextures(scene, discretization, {}), radiosity, 1,
                         TextureFilter::Bicubic);
   }
+
+  /// Returns warnings.
+  std::vector<std::string> write(const std::filesystem::path& folder) const {
+    const LitScene lit = this->lit();
+    return writeLitScene(folder, lit, view, radiosityTextures(discretization, lit.layout, radiosity));
+  }
 };
 
 glm::dvec3 vectorOf(const json& numbers) { return {numbers[0], numbers[1], numbers[2]}; }
@@ -51,7 +58,7 @@ TEST_CASE("writeLitScene writes scene.glb with an unlit node per surface without
   const TemporaryFolder folder;
   const FarRoom room;
   const LitScene lit = room.lit();
-  REQUIRE(writeLitScene(folder.path, lit, room.view, room.discretization, room.radiosity).empty());
+  REQUIRE(room.write(folder.path).empty());
   const Glb glb = parseGlb(readAll(folder.path / "scene.glb"));
   const json& gltf = glb.description;
   CHECK(gltf["asset"]["version"] == "2.0");
@@ -88,7 +95,7 @@ TEST_CASE("writeLitScene writes scene.glb with an unlit node per surface without
 TEST_CASE("writeLitScene puts the display textures into scene.glb, with a linear filter", "[gltf]") {
   const TemporaryFolder folder;
   const FarRoom room;
-  REQUIRE(writeLitScene(folder.path, room.lit(), room.view, room.discretization, room.radiosity).empty());
+  REQUIRE(room.write(folder.path).empty());
   const Glb glb = parseGlb(readAll(folder.path / "scene.glb"));
   REQUIRE(glb.description["images"].size() == 4);
   for (const json& image : glb.description["images"]) {
@@ -133,7 +140,7 @@ TEST_CASE("makeGltfModel turns a scene with z up upright, and scales it to metre
 
   // What is read again is in the coordinates of glTF.
   const TemporaryFolder folder;
-  writeLitScene(folder.path, room.lit(), room.view, room.discretization, room.radiosity);
+  room.write(folder.path);
   const Scene read = loadScene(folder.path / "scene.glb");
   const glm::dvec3 corner = room.scene.surfaces[0].triangles[0].position[0],
                    found = read.surfaces[0].triangles[0].position[0];
@@ -150,7 +157,7 @@ TEST_CASE("writeLitScene keeps the objects of the scene as a tree of nodes, with
   const std::array objects{3, 3, 3, 4};
   for (std::size_t s = 0; s < 4; ++s) room.scene.surfaces[s].object = objects[s];
   room.scene.surfaces[3].material = 1;
-  REQUIRE(writeLitScene(folder.path, room.lit(), room.view, room.discretization, room.radiosity).empty());
+  REQUIRE(room.write(folder.path).empty());
   const json gltf = parseGlb(readAll(folder.path / "scene.glb")).description;
   REQUIRE(gltf["nodes"].size() == 5);
   const std::vector<std::string> names{"wall", "lamp", "storey", "house", "camera"};

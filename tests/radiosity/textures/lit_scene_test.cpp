@@ -44,7 +44,7 @@ void writeSolution(const std::filesystem::path& folder, const Scene& scene, cons
   const TextureLayout layout = layOutTextures(scene, discretization, magnification);
   const std::vector<std::string> warnings =
       writeLitScene(folder, makeLitScene(scene, discretization, layout, displayed, exposure, filter), view,
-                    discretization, solution.radiosity);
+                    radiosityTextures(discretization, layout, solution.radiosity));
   CHECK(warnings.empty());
 }
 
@@ -107,7 +107,7 @@ TEST_CASE("loadScene reads from the files of writeLitScene the scene of makeLitS
       displayed.emplace_back(0.01 * static_cast<double>(e % 90), 0.5, 1.0 / (1 + static_cast<double>(e % 7)));
     const TextureLayout layout = layOutTextures(room.scene, room.discretization, {});
     const LitScene lit = makeLitScene(room.scene, room.discretization, layout, displayed, 0.9, TextureFilter::Bicubic);
-    writeLitScene(folder.path, lit, view, room.discretization, displayed);
+    writeLitScene(folder.path, lit, view, radiosityTextures(room.discretization, layout, displayed));
     const Scene read = loadScene(folder.path / "scene.obj");
     CHECK(read.origin == lit.scene.origin);
     CHECK(read.extent == lit.scene.extent);
