@@ -20,10 +20,10 @@ function embedded(script) {
   return script.replaceAll(/<(\/script|!--)/gi, "\\x3c$1");
 }
 
-/** style.css, then the styles beside the lessons, which may overrule it. */
+/** style.css, then the styles beside the lessons and the story, which may overrule it. */
 function styles() {
   const lessons = readdirSync(join(web, "page/lessons")).filter((name) => name.endsWith(".css"));
-  const paths = ["style.css", ...lessons.sort().map((name) => `lessons/${name}`)];
+  const paths = ["style.css", ...lessons.sort().map((name) => `lessons/${name}`), "story/story.css"];
   return paths.map((path) => read(`web/page/${path}`)).join("");
 }
 

@@ -49,7 +49,7 @@ TEST_CASE("The radiosity of examples/method.cpp equals that of solve with the sa
 
   const Scene scene = loadScene(folder.path / "scene.obj");
   DiscretizationSettings settings{.texels = 1, .isUnburied = true, .patch = 4};
-  for (const Surface& surface : scene.surfaces) settings.surfaceTexels[surface.name] = {16, 8};
+  for (const Surface& surface : scene.surfaces) settings.surfaceTexels[surface.name] = {12, 8};
   const Discretization discretization = discretize(scene, settings);
   const IdLayout layout = layOut(discretization);
   raster::SoftwareRenderer renderer(makeDrawList(scene, discretization, layout));

@@ -4,8 +4,10 @@
 #include <emscripten/bind.h>
 
 #include <filesystem>
+#include <utility>
 
 #include "radiosity/discretization/discretize.h"
+#include "radiosity/meshes/length_unit.h"
 #include "radiosity/pictures/default_camera.h"
 #include "radiosity/scene/load_scene.h"
 #include "raster/base/file_io.h"
@@ -35,8 +37,10 @@ std::shared_ptr<SceneHandle> loadScene(const Value& files, const std::string& ma
   return guarded([&] {
     const Folder folder(files);
     const std::filesystem::path file = folder.path() / main;
-    const auto scene =
-        std::make_shared<const radiosity::Scene>(radiosity::loadScene(file, {.sides = radiosity::Sides::TwoOfSheets}));
+    radiosity::Scene loaded = radiosity::loadScene(file, {.sides = radiosity::Sides::TwoOfSheets});
+    const double metres = radiosity::statedMetresPerUnit(file, loaded.warnings).value_or(1);
+    loaded.squareMetres = metres * metres;
+    const auto scene = std::make_shared<const radiosity::Scene>(std::move(loaded));
     std::filesystem::path view = file;
     view.replace_extension(".view.json");
     const Json camera =
@@ -48,7 +52,7 @@ Value sceneInfo(const SceneHandle& handle) {
   const radiosity::Scene& scene = *handle.scene;
   Json surfaces = Json::array();
   for (const radiosity::Surface& surface : scene.surfaces) surfaces.push_back(describe(scene, surface));
-  return toValue({{"surfaces", surfaces}, {"camera", handle.camera}, {"extent", scene.extent}});
+  return toValue({{"surfaces", surfaces}, {"camera", handle.camera}, {"extent", scene.extent}, {"square_metres", scene.squareMetres}});
 }
 
 std::shared_ptr<ElementsHandle> discretize(const SceneHandle& handle, const Value& given) {

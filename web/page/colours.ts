@@ -46,7 +46,8 @@ export function litColours(radiosity: Float64Array, exposure = exposureOf(radios
   return Float32Array.from(radiosity, (value) => encodeSrgb(exposure * value));
 }
 
-function exposureOf(radiosity: Float64Array): number {
+/** Shows the median of the lit elements as middle grey. */
+export function exposureOf(radiosity: Float64Array): number {
   const means: number[] = [];
   for (let i = 0; i < radiosity.length; i += 3) {
     const mean = (radiosity[i] + radiosity[i + 1] + radiosity[i + 2]) / 3;

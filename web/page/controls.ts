@@ -137,9 +137,16 @@ export function status(parent: HTMLElement, name: string): Control<string> {
   };
 }
 
-type Question =
-  | {text: string; options: string[]; right: number; why: string}
-  | {text: string; answer: () => number; tolerance: number; why: string};
+/** `whyNot` answers wrong answers that tell what was misunderstood. */
+export type Question =
+  | {text: string; options: string[]; right: number; why: string; whyNot?: Record<string, string>}
+  | {
+      text: string;
+      answer: () => number;
+      tolerance: number;
+      why: string;
+      whyNot?: (value: number) => string | undefined;
+    };
 
 interface Verdict {
   isRight: boolean;
@@ -168,18 +175,31 @@ export function checkedForm(parent: HTMLElement, html: string, addInputs: (group
   });
 }
 
-/** A question that the page checks. `text` and `why` are trusted HTML. */
-export function question(parent: HTMLElement, asked: Question): void {
+/** A question that the page checks. Texts are trusted HTML. `solved` gets the right answer. */
+export function question(parent: HTMLElement, asked: Question, solved: (answer: string) => void = () => {}): void {
   checkedForm(parent, asked.text, (group) => {
-    const isRight = "options" in asked ? radioField(group, asked) : numberField(group, asked);
-    return () =>
-      isRight() ? {isRight: true, html: `Right. ${asked.why}`} : {isRight: false, html: "Not yet. Try again."};
+    const {given, verdict} = "options" in asked ? radioField(group, asked) : numberField(group, asked);
+    return () => {
+      const {isRight, whyNot} = verdict();
+      if (!isRight) return {isRight, html: `Not yet. ${whyNot ?? "Try again."}`};
+      solved(given());
+      return {isRight, html: `Right. ${asked.why}`};
+    };
   });
 }
 
-function radioField(parent: HTMLElement, {options, right}: {options: string[]; right: number}): () => boolean {
+/** The inputs of a question: what was answered, and whether it is right. */
+interface Field {
+  given: () => string;
+  verdict: () => {isRight: boolean; whyNot?: string};
+}
+
+function radioField(parent: HTMLElement, {options, right, whyNot}: Extract<Question, {options: string[]}>): Field {
   const chosen = radios(parent, options);
-  return () => chosen() === options[right];
+  return {
+    given: () => chosen() ?? "",
+    verdict: () => ({isRight: chosen() === options[right], whyNot: whyNot?.[chosen() ?? ""]}),
+  };
 }
 
 /** One of the options, which are trusted HTML. Returns what gives the chosen one. */
@@ -196,14 +216,18 @@ export function radios(parent: HTMLElement, options: string[]): () => string | u
 
 function numberField(
   parent: HTMLElement,
-  {answer, tolerance}: {answer: () => number; tolerance: number},
-): () => boolean {
+  {answer, tolerance, whyNot}: Extract<Question, {tolerance: number}>,
+): Field {
   const line = element(parent, "label", {className: "line", textContent: "Answer:"});
   // Number inputs drop the decimal comma where the language of the browser has a point.
   const pattern = "\\s*[+\\-]?(\\d+[.,]?\\d*|[.,]\\d+)\\s*";
   const input = element(line, "input", {type: "text", inputMode: "decimal", autocomplete: "off", required: true});
   Object.assign(input, {pattern, title: "A number, such as 8 or 0.5"});
-  return () => Math.abs(Number(input.value.replace(",", ".")) - answer()) <= tolerance;
+  const value = () => Number(input.value.replace(",", "."));
+  return {
+    given: () => String(value()),
+    verdict: () => ({isRight: Math.abs(value() - answer()) <= tolerance, whyNot: whyNot?.(value())}),
+  };
 }
 
 /** A link to a file of the repository, in which the page lies in build/web. */

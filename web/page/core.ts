@@ -31,6 +31,7 @@ export interface VectorJson {
   channels: number[]; // bits, least significant first
   blend: "clamped-add" | "integer-add" | "replace";
   background: number;
+  origin: Vec3; // of all positions, in units of the scene
   eye: Vec3;
   near: number;
   resolution: number;
@@ -148,6 +149,7 @@ export interface SceneInfo {
   surfaces: SurfaceInfo[];
   camera: {eye: Vec3; look_at: Vec3; up: Vec3; fov: number}; // fov in degrees, from top to bottom
   extent: number; // in units of the scene
+  square_metres: number; // of a square unit, as the file states it; 1 if it states none
 }
 export interface DiscretizationSettings {
   texels?: number; // columns and rows of each surface
@@ -230,14 +232,14 @@ export interface SolutionInfo {
   shots: number; // of the last call
   residual: number;
   ambient: Vec3;
-  energy: Record<"emitted" | "absorbed" | "unshot" | "lost", Vec3>; // flux, W; emitted is the sum of the others
+  energy: Record<"emitted" | "absorbed" | "unshot" | "lost", Vec3>; // flux, W/m^2 times square units; emitted is the sum of the others
   milliseconds: number; // of the last call
 }
 export interface Solution {
   info(): SolutionInfo;
   /** Three numbers per element, W/m^2, without the ambient estimate. */
   radiosity(): Float64Array;
-  /** The unshot flux of each patch, W, bands summed. Only of an editable solution. */
+  /** The unshot flux of each patch, W/m^2 times square units, bands summed. Only of an editable solution. */
   unshot(): Float64Array;
   /** The elements of the patch that shoots next. Only of an editable solution. */
   brightest(): number[];
@@ -263,7 +265,7 @@ export interface Elements {
   vector(element: number, settings: DrawingSettings): Vector;
   /** From an element, or from the patches of a surface. */
   row(source: {element: number} | {surface: string}, settings: RowSettings): Row;
-  /** Median time of drawing the hemicube over an element, and the number of triangles in the draw list. */
+  /** The shortest time of drawing the hemicube over an element, and the number of triangles in the draw list. */
   timeOfHemicube(
     element: number,
     settings: DrawingSettings,

@@ -9,7 +9,7 @@ import {lesson as pixel} from "./lessons/pixel";
 import {lesson as shooting} from "./lessons/shooting";
 import {lesson as textureAndMesh} from "./lessons/texture_and_mesh";
 import {lesson as writeIt} from "./lessons/write_it";
-import {lesson as start} from "./start";
+import {figureAlone, lesson as start} from "./story/story";
 import {lesson as gpu} from "./trial/gpu";
 
 // build.mjs puts the files of data/ here.
@@ -82,7 +82,7 @@ function markNavigation(current: Lesson): void {
 function addHeading(current: Lesson): HTMLElement {
   const heading = element(root, "div", {className: "heading"});
   const title = element(heading, "h2", {textContent: current.title, tabIndex: -1});
-  const place = lessons.indexOf(current);
+  const place = lessons.findIndex(({id}) => id === current.id);
   const link = (to: Lesson | undefined, rel: string, text: string) => {
     if (to) element(heading, "a", {href: `#${to.id}`, rel, title: to.title, textContent: text});
   };
@@ -93,12 +93,30 @@ function addHeading(current: Lesson): HTMLElement {
 
 let endShown = () => {};
 
+/** ?figure=NAME: only this figure, in the type of a projector. */
+const alone = figureAlone(new URLSearchParams(location.search).get("figure") ?? "");
+
+/** Larger type, for a projector. */
+function setLarge(isLarge: boolean): void {
+  document.documentElement.toggleAttribute("data-large", isLarge);
+}
+
+function addLargeType(): void {
+  const large = button(nav, "Large", () => {
+    const isLarge = !document.documentElement.hasAttribute("data-large");
+    setLarge(isLarge);
+    large.setAttribute("aria-pressed", String(isLarge));
+  });
+  large.setAttribute("aria-pressed", "false");
+  large.title = "Large type, for a projector";
+}
+
 function show(core: Core, cornellBox: () => Scene): void {
   endShown();
   endShown = () => {};
   alertBox.replaceChildren();
   const [id, ...settings] = location.hash.slice(1).split("&");
-  const lesson = lessons.find((one) => one.id === id) ?? start;
+  const lesson = alone ?? lessons.find((one) => one.id === id) ?? start;
   const state = new AddressState(lesson.id, new URLSearchParams(settings.join("&")));
   document.title = `${lesson.title} - hemitex`;
   markNavigation(lesson);
@@ -122,6 +140,9 @@ function show(core: Core, cornellBox: () => Scene): void {
 
 async function main(): Promise<void> {
   makeNavigation();
+  addLargeType();
+  setLarge(alone !== undefined);
+  document.documentElement.toggleAttribute("data-alone", alone !== undefined);
   window.addEventListener("error", (event) => showError(event.error ?? event.message));
   window.addEventListener("unhandledrejection", (event) => showError(event.reason));
   const core = await startCore().finally(() => root.replaceChildren());

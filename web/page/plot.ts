@@ -75,7 +75,7 @@ export class Plot {
     this.chart.data.datasets = series.map(({name, points, isMarked}, index) => ({
       label: name,
       data: points.map(([x, y]) => ({x, y})),
-      showLine: true,
+      showLine: !isMarked,
       borderColor: colours[index],
       backgroundColor: colours[index],
       borderWidth: 2,

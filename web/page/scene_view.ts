@@ -2,13 +2,17 @@
 import {
   BufferAttribute,
   BufferGeometry,
+  CanvasTexture,
   DataTexture,
+  DoubleSide,
   Mesh,
+  MeshBasicMaterial,
   MOUSE,
   PerspectiveCamera,
   Raycaster,
   Scene as Group,
   ShaderMaterial,
+  SRGBColorSpace,
   TOUCH,
   Vector2,
   WebGLRenderer,
@@ -16,7 +20,7 @@ import {
 import {OrbitControls} from "three/addons/controls/OrbitControls.js";
 import {encodeSrgb} from "./colours";
 import {element as child} from "./controls";
-import type {Elements, Scene} from "./core";
+import type {Elements, Scene, Vec3} from "./core";
 
 // The colour of the texel. Alpha is 0 in marked texels; they have an outline, white outside and black inside.
 const fragmentShader = `
@@ -73,6 +77,7 @@ export class SceneView {
   private readonly controls: OrbitControls;
   private readonly sizeObserver: ResizeObserver;
   private readonly group = new Group();
+  private readonly pictures = new Group(); // that stand in the scene
   private surfaces: SurfaceMesh[] = [];
   private readonly removed: SurfaceMesh[] = []; // freed after the next picture, so that their shader stays compiled
   private drawing = 0;
@@ -136,6 +141,19 @@ export class SceneView {
     this.changeTexels((data, start, element) => {
       data[start + 3] = marked.has(element) ? 0 : 255;
     });
+  }
+
+  /** Puts a picture into the scene: a parallelogram with its lower left corner, and its lower and left edges. */
+  addPicture(picture: HTMLCanvasElement, corner: Vec3, lower: Vec3, left: Vec3): void {
+    const at = (x: number, y: number) => corner.map((value, axis) => value + x * lower[axis] + y * left[axis]);
+    const places: [number, number][] = [[0, 0], [1, 0], [1, 1], [0, 0], [1, 1], [0, 1]];
+    const geometry = new BufferGeometry();
+    geometry.setAttribute("position", new BufferAttribute(Float32Array.from(places.flatMap(([x, y]) => at(x, y))), 3));
+    geometry.setAttribute("uv", new BufferAttribute(Float32Array.from(places.flat()), 2));
+    const map = new CanvasTexture(picture);
+    map.colorSpace = SRGBColorSpace;
+    this.pictures.add(new Mesh(geometry, new MeshBasicMaterial({map, side: DoubleSide})));
+    this.requestDrawing();
   }
 
   /** Calls `picked` when the pointer is pressed or dragged on an element, or Enter is pressed. */
@@ -214,6 +232,7 @@ export class SceneView {
 
   private draw(): void {
     this.drawing = 0;
+    this.group.add(this.pictures);
     this.renderer?.render(this.group, this.camera);
     this.freeRemoved();
   }
@@ -222,7 +241,7 @@ export class SceneView {
   private elementAt(x: number, y: number): number | null {
     const ray = new Raycaster();
     ray.setFromCamera(new Vector2(x, y), this.camera);
-    const hit = ray.intersectObject(this.group)[0];
+    const hit = ray.intersectObjects(this.surfaces.map(({mesh}) => mesh))[0];
     const surface = this.surfaces.find(({mesh}) => mesh === hit?.object);
     if (!surface || !hit.uv) return null;
     const {width, height} = surface.texture.image;

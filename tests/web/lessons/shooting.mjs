@@ -9,7 +9,7 @@ function solved({run, folder}, stop, edits) {
   const elements = ["--texels", "16", "--surface", "short-block=8", "--surface", "tall-block=8", "--patch", "4"];
   const files = ["--edits", join(folder, "edits.json"), "-o", join(folder, "lit"), "--size", "64x48", "-q"];
   const drawing = ["--resolution", "64", "--split", "0.2"];
-  run("solve", "data/cornell-box.obj", "--scale", "1", ...elements, ...drawing, ...stop, ...files);  // page: no unit
+  run("solve", "data/cornell-box.obj", ...elements, ...drawing, ...stop, ...files);
   const read = (path) => JSON.parse(readFileSync(join(folder, "lit", path), "utf8"));
   return {before: read("solution.json"), after: read("frame-1/solution.json")};
 }
@@ -19,7 +19,7 @@ const sum = (bands) => bands[0] + bands[1] + bands[2];
 /** The shares in percent that the lesson states. */
 function shares(text) {
   const [, emitted, absorbed, unshot, lost] = text
-    .match(/emitted ([\d.]+) kW = absorbed (-?[\d.]+) % \+ unshot (-?[\d.]+) % \+ lost (-?[\d.]+) %/)
+    .match(/emitted ([\d.]+) W = absorbed (-?[\d.]+) % \+ unshot (-?[\d.]+) % \+ lost (-?[\d.]+) %/)
     .map(Number);
   return {emitted, absorbed, unshot, lost};
 }
@@ -51,7 +51,7 @@ export default async function check(page, tools) {
   const checkEnergy = async (energy, tolerance, what) => {
     const found = shares(await value("energy"));
     const emitted = sum(energy.emitted);
-    close(found.emitted, emitted / 1000, 0.006, `${what}: emitted`);
+    close(found.emitted, emitted, 0.0006, `${what}: emitted`);
     for (const part of ["absorbed", "unshot", "lost"])
       close(found[part], (100 * sum(energy[part])) / emitted, tolerance, `${what}: ${part}`);
     close(found.absorbed + found.unshot + found.lost, 100, 0.02, `${what}: the parts`);

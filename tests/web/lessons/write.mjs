@@ -1,7 +1,27 @@
 // The lesson "Write it": each step fails with its start and passes with its solution, the last one on all vectors of
 // the suite. Errors are shown with their lines, and an endless loop is ended.
-export default async function check(page, {ok, equal, value, until, address}) {
-  const verdict = /^(Passed|Not yet|\d+ of|Line|Stopped|draw)/;
+import {wrongSolutions} from "./wrong_solutions.mjs";
+
+const slowDraw = `
+function draw(view) {
+  const ids = new Uint32Array(view.width * view.height).fill(view.background);
+  const place = clip => (clip + 1) * 128 * view.resolution;
+  for (const triangle of view.triangles) {
+    const [a, b, c] = triangle.corners.map(p => ({...p, x: place(p.x / p.w), y: place(p.y / p.w)}));
+    for (let again = 0; again < 20000; ++again)
+      for (let row = 0; row < view.height; ++row)
+        for (let column = 0; column < view.width; ++column) {
+          const sample = {x: 256 * (column + view.column) + 128, y: 256 * (row + view.row) + 128};
+          const isInside = [[b, c], [c, a], [a, b]].every(([from, to]) => edge(from, to, sample) > 0);
+          if (isInside) ids[row * view.width + column] = triangle.offset;
+        }
+  }
+  return ids;
+}
+`;
+
+export default async function check(page, {ok, equal, value, until, open, address}) {
+  const verdict = /^(Passed|Not yet|\d+ of|Line|there is no|draw|[a-z]\w* must)/;
   const judged = async (what) => {
     await until(async () => verdict.test(await value("result")), `verdict on ${what}`);
     return value("result");
@@ -15,18 +35,53 @@ export default async function check(page, {ok, equal, value, until, address}) {
   const press = (name) => () => page.getByRole("button", {name}).click();
   const step = page.getByLabel("Step", {exact: true});
 
+  // What is written is kept in the browser, where the test reads it; a file replaces it.
+  const kept = () => page.evaluate(() => localStorage.getItem("hemitex code"));
+  const give = (code) => () =>
+    page.getByLabel("Open a file:").setInputFiles({name: "own.js", mimeType: "text/javascript", buffer: Buffer.from(code)});
+
   await judged("the start");
-  for (let k = 1; k <= 12; ++k) {
+  for (let k = 1; k <= 20; ++k) {
     const before = await changed(press(k === 1 ? "Start code of this step" : "Next step"), `step ${k}`);
     equal(await step.inputValue(), String(k - 1), "step");
-    ok(/Not yet: \d+ wrong pixels? in .*/.test(before), `start of step ${k}: ${before}`);
-    ok(/expected .*, found .*/.test(await value("pixel")), `first wrong pixel of step ${k}`);
-    ok((await page.locator(".derivation tr").count()) > 0, `derivation in step ${k}`);
+    if (k <= 12) {
+      ok(/Not yet: \d+ wrong pixels? in .*/.test(before), `start of step ${k}: ${before}`);
+      ok(/expected .*, found .*/.test(await value("pixel")), `first wrong pixel of step ${k}`);
+      ok((await page.locator(".derivation tr").count()) > 0, `derivation in step ${k}`);
+    } else {
+      ok(/^there is no function \w+ yet$/.test(before), `start of step ${k}: ${before}`);
+    }
     const after = await changed(press("Show a solution"), `solution ${k}`);
-    ok(after.startsWith("Passed: every pixel of"), `solution ${k}: ${after}`);
+    ok(after.startsWith("Passed: "), `solution ${k}: ${after}`);
     if (k === 12) ok(after.includes("of 90 test vectors"), after);
+    if (k === 20) equal(await page.locator(".write .light canvas").count(), 2, "the light by the student and by the core");
+    const solution = await kept();
+    for (const [part, instead] of wrongSolutions[k - 1]) {
+      ok(solution.includes(part), `the solution of step ${k} has ${part}`);
+      const verdict = await changed(give(solution.replace(part, instead)), `a wrong solution of step ${k}`);
+      ok(!verdict.startsWith("Passed"), `step ${k} with ${instead} for ${part}: ${verdict}`);
+    }
+    await changed(give(solution), `the solution of step ${k} again`);
   }
-  await until(async () => (await address()) === "step=12", "step in the address");
+  await until(async () => (await address()) === "step=20", "step in the address");
+
+  // The link and the browser's storage give the code back.
+  const last = await kept();
+  await press("Put it into the address")();
+  await until(async () => (await address()).includes("code="), "code in the address");
+  const link = await address();
+  await page.evaluate(() => localStorage.clear());
+  await open(link);
+  await judged("the code of the link");
+  equal(await kept(), last, "code from the link");
+  await page.reload();
+  await judged("the code after a reload");
+  equal(await kept(), last, "code after a reload");
+
+  // Right code that looks at every pixel for every triangle takes long, and passes.
+  await step.selectOption("1");
+  const slow = last.replace(/function draw/, "function unused").concat(slowDraw);
+  ok((await changed(give(slow), "slow code")).startsWith("Passed"), "slow right code");
 
   const write = async (code) => {
     await page.getByLabel("Your rasterizer").click();
@@ -34,11 +89,12 @@ export default async function check(page, {ok, equal, value, until, address}) {
     await page.keyboard.insertText(code);
   };
   const loop = "function draw() {\n  for (;;);\n}";
-  ok((await changed(() => write(loop), "a loop")).startsWith("Stopped after 2 seconds"), "an endless loop is ended");
+  const ended = await changed(() => write(loop), "a loop");
+  ok(/^Line 2: RangeError: stopped after \d+ million steps/.test(ended), `an endless loop is ended: ${ended}`);
   const unknown = "function draw(view) {\n\n  return unknown;\n}";
   equal(await changed(() => write(unknown), "a name"), "Line 3: ReferenceError: unknown is not defined", "error");
-  const open = "function draw(view) {\n  return [;\n}";
-  ok((await changed(() => write(open), "a bracket")).startsWith("Line 2: SyntaxError"), "syntax error");
+  const unclosed = "function draw(view) {\n  return [;\n}";
+  ok((await changed(() => write(unclosed), "a bracket")).startsWith("Line 2: SyntaxError"), "syntax error");
   ok((await changed(() => write("function draw() {}"), "nothing")).startsWith("draw must return"), "no answer");
 
   await step.selectOption("1");

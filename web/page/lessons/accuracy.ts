@@ -13,7 +13,7 @@ const truthSlices = 8; // each has rays of its own seed
 const truthSamples = 2 ** 18; // per slice
 const split = 0.003; // the default of the command line
 const shortestMeasurement = 20; // ms
-const resolutionPowers = {min: 4, max: 10, step: 1};
+const resolutionPowers = {min: 4, max: 9, step: 1}; // a subdivided row of 1,024 would stop the page for seconds
 const samplePowers = {min: 8, max: 18, step: 1};
 
 const sources: [name: string, label: string][] = [
@@ -174,7 +174,7 @@ function addText(parent: HTMLElement): void {
 
 function addQuestion(parent: HTMLElement): void {
   question(parent, {
-    text: "The red wall, hemicubes without subdivision: 1024 pixels instead of 64 hardly lower the error. Why?",
+    text: "The red wall, hemicubes without subdivision: 512 pixels instead of 64 hardly lower the error. Why?",
     options: [
       "Rotation is needed, too: the pixels form a pattern",
       "The centres are the larger error: light leaves all of a patch",

@@ -65,7 +65,7 @@ class ShootingLesson {
     this.addAction(buttons, "Ten shots", () => this.shooting.shootAll(10));
     this.run = button(buttons, "Run", () => this.toggle());
     this.again = this.addAction(buttons, "Start again", () => this.shooting.restart());
-    this.progress = new Progress(right);
+    this.progress = new Progress(right, scene.info().square_metres);
     addQuestion(right);
     this.shooting.shootAll(state.number("shots", shotsAtStart));
     this.settle();

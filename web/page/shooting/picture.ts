@@ -47,6 +47,7 @@ export class Picture {
   private colouring: string;
   private isAmbient: boolean;
   private readonly legend: Control<string>;
+  private readonly squareMetres: number;
 
   constructor(
     parent: HTMLElement,
@@ -55,6 +56,7 @@ export class Picture {
     private readonly state: State,
   ) {
     this.colouring = state.option("colours", Object.keys(colourings), "light");
+    this.squareMetres = scene.info().square_metres;
     this.isAmbient = state.number("ambient", 0) === 1;
     const elements = shooting.solution.elements();
     this.view = new SceneView(parent, {label: "The Cornell box, lit shot by shot", scene, elements});
@@ -79,7 +81,7 @@ export class Picture {
     const flux = this.colouring === "unshot" ? solution.unshot() : shotFlux(solution, elements, patchOf);
     const largest = largestSize(flux);
     this.view.setColours(fluxColours(flux, patchOf, largest));
-    this.legend.set(`Yellow: ${(largest / 1000).toPrecision(3)} kW. Dark: 0. Red: negative.`);
+    this.legend.set(`Yellow: ${(this.squareMetres * largest).toPrecision(3)} W. Dark: 0. Red: negative.`);
   }
 
   private addControls(line: HTMLElement): void {

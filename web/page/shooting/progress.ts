@@ -28,7 +28,7 @@ const parts = [
 ] as const;
 
 /** Where the emitted light went, as a bar and as text. */
-function energyBar(parent: HTMLElement): (info: SolutionInfo) => void {
+function energyBar(parent: HTMLElement, squareMetres: number): (info: SolutionInfo) => void {
   const bar = element(parent, "div", {className: "energy-bar", ariaHidden: "true"});
   const boxes = parts.map(([name, background, color]) => {
     const box = element(bar, "div", {textContent: name});
@@ -41,7 +41,7 @@ function energyBar(parent: HTMLElement): (info: SolutionInfo) => void {
     const share = (name: keyof SolutionInfo["energy"]) => (emitted > 0 ? (100 * sum(energy[name])) / emitted : 0);
     parts.forEach(([name], i) => (boxes[i].style.width = `${Math.max(0, share(name))}%`));
     const terms = parts.map(([name]) => `${name} ${share(name).toFixed(2)} %`);
-    account.set(`emitted ${(emitted / 1000).toFixed(2)} kW = ${terms.join(" + ")}`);
+    account.set(`emitted ${(squareMetres * emitted).toFixed(3)} W = ${terms.join(" + ")}`);
   };
 }
 
@@ -51,7 +51,7 @@ export class Progress {
   private readonly shots: Control<string>;
   private readonly showEnergy: (info: SolutionInfo) => void;
 
-  constructor(parent: HTMLElement) {
+  constructor(parent: HTMLElement, squareMetres: number) {
     this.shots = status(parent, "shots");
     this.plot = new Plot(parent, {
       label: "Unshot flux over emitted flux, over the number of shots",
@@ -59,13 +59,14 @@ export class Progress {
       y: "unshot / emitted",
       logarithmicY: true,
     });
-    this.showEnergy = energyBar(parent);
+    this.showEnergy = energyBar(parent, squareMetres);
   }
 
   show({shots, info, curve}: Shooting): void {
     const isSigned = sum(info.energy.unshot) < 0.99 * info.residual * sum(info.energy.emitted);
     const negative = isSigned ? ", negative flux counted as positive" : "";
-    this.shots.set(`${shots} shots: ${(100 * info.residual).toFixed(3)} % unshot${negative}`);
+    const before = sum(info.energy.emitted) > 0 ? "" : " of the light before the lamp was switched off";
+    this.shots.set(`${shots} shots: ${(100 * info.residual).toFixed(3)} % unshot${before}${negative}`);
     this.plot.set([{name: "unshot", points: curve}]);
     this.showEnergy(info);
   }

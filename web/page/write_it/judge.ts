@@ -17,6 +17,7 @@ export interface Drawn {
   view: View;
   expected: Uint32Array;
   found: Uint32Array;
+  answers: ItemBuffers; // of all faces
   wrong: number; // pixels
   first: number; // -1: none
 }
@@ -60,19 +61,30 @@ function compared({vector, views, expected}: Task, answers: Uint32Array[]): Draw
   return answers.map((found, k) => {
     const isWrong = (id: number, pixel: number) => id !== expected[k][pixel];
     return {
-      ...{vector, face: faces[k].name, view: views[k], expected: expected[k], found},
+      ...{vector, face: faces[k].name, view: views[k], expected: expected[k], found, answers},
       wrong: found.filter(isWrong).length,
       first: found.findIndex(isWrong),
     };
   });
 }
 
-/** Draws the vectors in order; until the first one that fails, unless `all` are asked for. Throws CodeError. */
-export async function judge(sandbox: Sandbox, tasks: Tasks, names: string[], all: boolean): Promise<Judgement> {
+/**
+ * Draws the vectors in order; until the first one that fails, unless `all` are asked for. `progress` gets how many are
+ * drawn. Throws CodeError.
+ */
+export async function judge(
+  sandbox: Sandbox,
+  tasks: Tasks,
+  names: string[],
+  all: boolean,
+  progress: (done: number, count: number) => void,
+): Promise<Judgement> {
+  let done = 0;
   let passed = 0;
   let failed: Drawn | undefined;
   let last: Drawn | undefined;
   for (const name of names) {
+    progress(done++, names.length);
     const task = tasks.of(name);
     const faces = compared(task, await sandbox.draw(task.views));
     const wrong = faces.find(({first}) => first >= 0);

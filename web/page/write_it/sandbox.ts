@@ -1,8 +1,9 @@
 // Runs a rasterizer that a student writes, in a worker that can be ended. The worker is made from a blob, which also a
 // page from disk may do.
+import {countedCode} from "./counted_code";
 import type {View} from "./views";
 
-const timeLimit = 2000; // milliseconds per vector
+const stepLimit = 3e8; // runs of the bodies of loops and functions per vector or call
 
 /** An error in the student's code. */
 export class CodeError extends Error {
@@ -23,6 +24,10 @@ export const helpers: [call: string, what: string][] = [
 // Doubles decide where their rounding cannot matter: a sum of six terms has at most nine roundings in a row, each of
 // 2^-53 of the sum of absolute values. Elsewhere fractions of big integers decide.
 const helperCode = `
+const counted = {left: Infinity};
+function countStep() {
+  if (--counted.left < 0) throw new RangeError("stopped after ${stepLimit / 1e6} million steps: does a loop not end?");
+}
 function roundEven(x) {
   const rounded = Math.round(x);
   return rounded - x === 0.5 && rounded % 2 !== 0 ? rounded - 1 : rounded;
@@ -69,14 +74,29 @@ function floorOfQuotient(terms, divisors) {
   const whole = top / bottom;
   return Number(whole * bottom !== top && top < 0n !== bottom < 0n ? whole - 1n : whole);
 }
-onmessage = ({data: views}) => {
+function oneCall({name, returns, rows}, given) {
+  const student = studentFunction(name);
+  if (!student) throw "there is no function " + name + " yet";
+  counted.left = ${stepLimit};
+  const answer = student(...given.map((value, k) => k === rows ? source => value[source] : value));
+  return returns === undefined ? answer : given[returns];
+}
+onmessage = ({data: {calls, ...how}}) => {
   try {
-    postMessage({answers: views.map(student)});
+    postMessage({answers: calls.map(given => oneCall(how, given))});
   } catch (error) {
-    const place = /blob:[^ )]*:(\\d+):\\d+/.exec(error?.stack ?? "");
+    // After too many steps the first place is that of countStep.
+    const places = [...(error?.stack ?? "").matchAll(/blob:[^ )]*:(\\d+):\\d+/g)], place = places[counted.left < 0 ? 1 : 0];
     postMessage({error: String(error), line: place ? Number(place[1]) : null});
   }
 };`;
+
+/** The argument that the function changes, which comes back instead of its answer, and the list that it gets as a
+ * function of the place. */
+interface How {
+  returns?: number;
+  rows?: number;
+}
 
 type Answer = {answers: unknown[]} | {error: string; line: number | null};
 
@@ -84,23 +104,29 @@ export class Sandbox {
   private readonly worker: Worker;
   private readonly address: string;
   private readonly lines: number;
-  private timer = 0;
 
-  /** @param code defines a function draw(view) */
+  /** @param code defines draw(view) and other functions */
   constructor(private readonly code: string) {
     // The code begins in the first line of the blob: lines of messages are those of the editor.
-    const script = `"use strict"; const student = (() => { ${code}\n; return draw; })();${helperCode}`;
+    const script = `"use strict"; const studentFunction = (() => { ${countedCode(code)}
+; return name => eval("typeof " + name + " === 'function' ? " + name + " : undefined"); })();${helperCode}`;
     this.address = URL.createObjectURL(new Blob([script], {type: "text/javascript"}));
     this.lines = code.trimEnd().split("\n").length;
     this.worker = new Worker(this.address);
   }
 
-  /** One answer per view. Throws CodeError. After an error the sandbox is ended. */
+  /** The item IDs of each view, by the student's draw. Throws CodeError. After an error the sandbox is ended. */
   async draw(views: View[]): Promise<Uint32Array[]> {
+    const answers = await this.call("draw", views.map((view) => [view]));
+    return answers.map((ids, k) => this.checked(ids, views[k]));
+  }
+
+  /** What a function returns for each list of arguments. Throws CodeError. After an error the sandbox is ended. */
+  async call(name: string, calls: unknown[][], how: How = {}): Promise<unknown[]> {
     try {
-      const answer = await this.ask(views);
+      const answer = await this.ask({name, calls, ...how});
       if ("error" in answer) throw this.errorOf(answer.error, answer.line);
-      return answer.answers.map((ids, k) => this.checked(ids, views[k]));
+      return answer.answers;
     } catch (error) {
       this.end();
       throw error;
@@ -109,25 +135,19 @@ export class Sandbox {
 
   /** Answers that are due never come. */
   end(): void {
-    clearTimeout(this.timer);
     this.worker.terminate();
     URL.revokeObjectURL(this.address);
   }
 
-  private ask(views: View[]): Promise<Answer> {
+  private ask(question: {name: string; calls: unknown[][]} & How): Promise<Answer> {
     return new Promise((resolve, reject) => {
-      const late = new CodeError(`Stopped after ${timeLimit / 1000} seconds: does a loop not end?`, null);
-      this.timer = window.setTimeout(() => reject(late), timeLimit);
-      this.worker.onmessage = ({data}: MessageEvent<Answer>) => {
-        clearTimeout(this.timer);
-        resolve(data);
-      };
+      this.worker.onmessage = ({data}: MessageEvent<Answer>) => resolve(data);
       this.worker.onerror = (event) => {
         event.preventDefault(); // the page shows the message
         const {message, lineno} = event;
         reject(message ? this.errorOf(message.replace(/^Uncaught /, ""), lineno || null) : this.syntaxError());
       };
-      this.worker.postMessage(views);
+      this.worker.postMessage(question);
     });
   }
 

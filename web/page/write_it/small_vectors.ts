@@ -66,6 +66,35 @@ const second: Triangle = [[11.5, 5.25], [10, 11.25], [4.75, 10]];
 const reversed = ([a, b, c]: Triangle): Triangle => [a, c, b];
 const single = (triangle: Triangle, back?: number): Surface => ({triangles: [triangle], back});
 
+/**
+ * Sheets that the near plane cuts. The cut lies on the centres of pixels, moved by half of 1/256 pixel: t from the wrong
+ * end of an edge, which rounds otherwise, snaps some of these corners to another place. t is 1/n, not exact.
+ */
+function cutSheets(core: Core): Vector {
+  const size = 16, near = 0.5;
+  const sheets = Array.from({length: 6}, (_, k) => {
+    const pixel = 2 * k + 3, cut = near * ((256 * pixel + 128.5) / (128 * size) - 1), t = [49, 98, 103, 107, 161, 187][k];
+    const [low, high] = [-0.75 + 0.25 * k, -0.5 + 0.25 * k].map((y) => y * near);
+    const front = cut + 1, back = cut - (t - 1); // on the near plane: cut
+    const [frontDepth, backDepth] = [near + 1, near - (t - 1)];
+    return [[front, low, frontDepth], [front, high, frontDepth], [back, high, backDepth], [back, low, backDepth]];
+  });
+  const corners = [0, 1, 2, 0, 2, 3];
+  const draws = sheets.map((_, k): VectorDraw => ({first: 6 * k, count: 6, offset: 256 * (k + 1), back: null}));
+  const face = {name: "front", x: [1, 0, 0], y: [0, 1, 0], w: [0, 0, 1], scissor: [0, 0, size, size], words: "front.u32", hash: ""};
+  const json = {
+    ...{rules: 1, name: "cut sheets", origin: [0, 0, 0], resolution: size, near, eye: [0, 0, 0], faces: [face], draws},
+    ...{channels: [8, 8, 8], blend: "clamped-add", background: 2 ** 24 - 1},
+    ...{positions: "positions.f32", texcoords: "texcoords.f32", indices: "indices.u32"},
+  };
+  return core.readVector({
+    "vector.json": JSON.stringify(json),
+    "positions.f32": bytes(Float32Array.from(sheets.flat(2))),
+    "texcoords.f32": bytes(new Float32Array(8 * sheets.length)),
+    "indices.u32": bytes(Uint32Array.from(sheets.flatMap((_, k) => corners.map((corner) => 4 * k + corner)))),
+  });
+}
+
 /** By name. */
 export function smallVectors(core: Core): Record<string, Vector> {
   const vectors = [
@@ -75,6 +104,7 @@ export function smallVectors(core: Core): Record<string, Vector> {
     smallVector(core, "shared edges", fan([1.5, 1.5], [9.5, 9.5], [5.5, 5.5])),
     smallVector(core, "front and back", [single(first, 2 ** 24 - 2), single(reversed(second), 2 ** 24 - 3)]),
     smallVector(core, "map", [rectangle([1, 1], [11, 11])], true),
+    cutSheets(core),
   ];
   return Object.fromEntries(vectors.map((vector) => [vector.name(), vector]));
 }

@@ -1,13 +1,17 @@
-// The steps from an empty picture to a rasterizer that passes the suite. Each has a solution, and test vectors on which
-// the solution of the step before fails.
+// The steps from an empty picture to a rasterizer that passes the suite, and on to a lit room. Each has a solution, and
+// test vectors or calls on which the solution of the step before fails.
 //
 // The rules are those of docs/item-buffers.md. The order of steps is that of a graphics pipeline built backwards: first
 // pixels, then corners, then what a pixel holds.
+
+import {lightSteps} from "./light_steps";
+import type {LightTask} from "./light_tasks";
 
 export interface Step {
   title: string;
   text: string; // HTML
   vectors: string[] | null; // names of small vectors and of the suite; null: the whole suite
+  light?: LightTask; // asks other functions than draw
   solution: string;
 }
 
@@ -113,7 +117,7 @@ const steps: {title: string; text: string; vectors: string[] | null; change: Cha
       x ≥ −8w, y ≤ 8w and y ≥ −8w (Sutherland and Hodgman 1974). From the inside end of an edge, t = f<sub>in</sub> /
       (f<sub>in</sub> − f<sub>out</sub>); then w is <code>near</code> on the first plane and at least that on the
       others. Draw the polygon as a fan from its first corner. Clamp x / w and y / w to ±8.`,
-    vectors: ["near-plane-sheet", "behind-the-eye", "frustum-sheet"],
+    vectors: ["near-plane-sheet", "behind-the-eye", "frustum-sheet", "guard-band-sheet", "cut sheets"],
     change: [[`
 // Returns`, `function clipped(corners, near) {
   const planes = [p => p.w - near, p => 8 * p.w - p.x, p => 8 * p.w + p.x, p => 8 * p.w - p.y, p => 8 * p.w + p.y];
@@ -222,6 +226,10 @@ let solution = start;
 for (const {change, ...step} of steps) {
   solution = changed(solution, change);
   allSteps.push({...step, solution});
+}
+for (const {added, ...step} of lightSteps) {
+  solution += added;
+  allSteps.push({...step, vectors: [], solution});
 }
 
 /** The code at the start of a step: the solution of the one before. */
