@@ -145,7 +145,7 @@ async function checkOwnScene(page, {equal, ok, until}) {
 
 /** Each figure without the rest of the page. */
 async function checkAlone(page, {equal, ok}) {
-  const other = await page.context().newPage();
+  const other = await page.context().browser().newPage({viewport: page.viewportSize()});
   const noise = [];
   other.on("pageerror", ({message}) => noise.push(message));
   for (const name of names) {

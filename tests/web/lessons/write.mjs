@@ -65,8 +65,19 @@ export default async function check(page, {ok, equal, value, until, open, addres
   }
   await until(async () => (await address()) === "step=20", "step in the address");
 
-  // The link and the browser's storage give the code back.
   const last = await kept();
+  // The student's own values of the marked pixel stand under the right ones.
+  await changed(() => step.selectOption("9"), "step 10");
+  const noted = (await kept()).replace("        const texel =", "        note(column, row, \"edges\", edges);\n        const texel =");
+  const affine = noted.replace("floorOfQuotient(coordinate(key, size), depth(1))", "0");
+  const verdictOfNoted = await changed(give(affine), "noted code");
+  ok(verdictOfNoted.startsWith("Not yet"), verdictOfNoted);
+  await until(async () => (await page.locator(".derivation").count()) === 2, "the notes are shown");
+  ok(/edges\s*\[-?\d+,-?\d+,-?\d+\]/.test(await page.locator(".derivation").last().innerText()), "edges");
+  await changed(give(last), "the last solution again");
+  await changed(() => step.selectOption("19"), "step 20");
+
+  // The link and the browser's storage give the code back.
   await press("Put it into the address")();
   await until(async () => (await address()).includes("code="), "code in the address");
   const link = await address();
@@ -79,7 +90,7 @@ export default async function check(page, {ok, equal, value, until, open, addres
   equal(await kept(), last, "code after a reload");
 
   // Right code that looks at every pixel for every triangle takes long, and passes.
-  await step.selectOption("1");
+  await changed(() => step.selectOption("1"), "step 2");
   const slow = last.replace(/function draw/, "function unused").concat(slowDraw);
   ok((await changed(give(slow), "slow code")).startsWith("Passed"), "slow right code");
 

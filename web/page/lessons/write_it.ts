@@ -61,17 +61,21 @@ class DrawnView {
   private drawn: Drawn | undefined;
 
   private readonly box: HTMLElement;
+  private readonly notes: HTMLElement;
+  private sandbox: Sandbox | undefined;
 
   constructor(parent: HTMLElement) {
     this.box = element(parent, "div");
     this.comparison = new Comparison(this.box, 150);
     this.pixelText = new PixelText(this.box);
+    this.notes = element(this.box, "div");
     this.comparison.onSelect((column, line) => this.derive(column, line));
   }
 
-  /** Selects the first wrong pixel. */
-  show(drawn: Drawn): void {
-    this.drawn = drawn;
+  /** Selects the first wrong pixel. `sandbox` drew, and is asked for the student's notes. */
+  show(drawn: Drawn, sandbox: Sandbox): void {
+    Object.assign(this, {drawn, sandbox});
+    this.notes.replaceChildren();
     const {view, expected, found} = drawn;
     this.comparison.show({columns: view.width, rows: view.height, background: view.background, expected, found});
     this.pixelText.clear();
@@ -92,6 +96,21 @@ class DrawnView {
     const pixel = line * view.width + column;
     const place = {vector, face, column: view.column + column, row: view.row + line};
     this.pixelText.show({...place, expected: expected[pixel], found: found[pixel]});
+    void this.showNotes(view, place.column, place.row);
+  }
+
+  /** The student's values of this pixel, under the right ones. */
+  private async showNotes(view: Drawn["view"], column: number, row: number): Promise<void> {
+    const notes = await this.sandbox!.notes(view, column, row);
+    this.notes.replaceChildren();
+    if (!notes.length) return;
+    element(this.notes, "p", {className: "source", textContent: "Your notes of this pixel:"});
+    const table = element(this.notes, "table", {className: "derivation"});
+    for (const [name, value] of notes) {
+      const line = element(table, "tr");
+      element(line, "th", {scope: "row", textContent: name});
+      element(line, "td", {textContent: value});
+    }
   }
 }
 
@@ -213,7 +232,7 @@ class WriteLesson {
       if (sandbox === this.sandbox && done > 0) this.result.set(`Judging ... ${done} of ${all} test vectors`);
     };
     const judgement = await judge(sandbox, this.tasks, vectors ?? this.tasks.suiteNames(), !vectors, progress);
-    return () => this.show(judgement);
+    return () => this.show(judgement, sandbox);
   }
 
   private clear(): void {
@@ -228,11 +247,11 @@ class WriteLesson {
     this.result.set((line ? `Line ${line}: ` : "") + message);
   }
 
-  private show(judgement: Judgement): void {
+  private show(judgement: Judgement, sandbox: Sandbox): void {
     this.clear();
     this.result.set(describe(judgement, this.step));
     this.next.hidden = judgement.shown.first >= 0;
-    this.drawnView.show(judgement.shown);
+    this.drawnView.show(judgement.shown, sandbox);
   }
 
   private showLight({wrong, light}: Finding): void {

@@ -19,6 +19,7 @@ export const helpers: [call: string, what: string][] = [
   ["mix(p, q, t)", "p + t (q - p), for all keys of p"],
   ["signOfSum(terms)", "the exact sign of a sum; a term [a, b, c, d] means abc/d"],
   ["floorOfQuotient(terms, divisors)", "the exact floor of one sum divided by another"],
+  ["note(column, row, name, value)", "shows a value of yours beside the right ones, where this pixel is marked"],
 ];
 
 // Doubles decide where their rounding cannot matter: a sum of six terms has at most nine roundings in a row, each of
@@ -27,6 +28,10 @@ const helperCode = `
 const counted = {left: Infinity};
 function countStep() {
   if (--counted.left < 0) throw new RangeError("stopped after ${stepLimit / 1e6} million steps: does a loop not end?");
+}
+let watched = null, notes = [];
+function note(column, row, name, value) {
+  if (watched && watched[0] === column && watched[1] === row) notes.push([name, JSON.stringify(value)]);
 }
 function roundEven(x) {
   const rounded = Math.round(x);
@@ -83,7 +88,9 @@ function oneCall({name, returns, rows}, given) {
 }
 onmessage = ({data: {calls, ...how}}) => {
   try {
-    postMessage({answers: calls.map(given => oneCall(how, given))});
+    [watched, notes] = [how.watched, []];
+    const answers = calls.map(given => oneCall(how, given));
+    postMessage({answers: watched ? notes : answers});
   } catch (error) {
     // After too many steps the first place is that of countStep.
     const places = [...(error?.stack ?? "").matchAll(/blob:[^ )]*:(\\d+):\\d+/g)], place = places[counted.left < 0 ? 1 : 0];
@@ -96,6 +103,7 @@ onmessage = ({data: {calls, ...how}}) => {
 interface How {
   returns?: number;
   rows?: number;
+  watched?: [column: number, row: number]; // the notes about this pixel come back instead of answers
 }
 
 type Answer = {answers: unknown[]} | {error: string; line: number | null};
@@ -119,6 +127,11 @@ export class Sandbox {
   async draw(views: View[]): Promise<Uint32Array[]> {
     const answers = await this.call("draw", views.map((view) => [view]));
     return answers.map((ids, k) => this.checked(ids, views[k]));
+  }
+
+  /** What the student's draw notes about a pixel of a view: names and values. Throws CodeError. */
+  async notes(view: View, column: number, row: number): Promise<[name: string, value: string][]> {
+    return (await this.call("draw", [[view]], {watched: [column, row]})) as [string, string][];
   }
 
   /** What a function returns for each list of arguments. Throws CodeError. After an error the sandbox is ended. */
