@@ -121,6 +121,8 @@ std::shared_ptr<Solved> solve(const SharedElements& elements, const py::dict& gi
                               const py::object& makeRenderer, py::object progress) {
   const Settings settings(given);
   const radiosity::Scene& scene = *elements->scene;
+  if (scene.files.empty() && !radiosity::emitsLight(scene))
+    throw InputError("nothing in the scene emits light", "give `emission` to from_arrays, or edit it with SetEmission");
   radiosity::requireEmission(scene, scene.files.empty() ? std::filesystem::path("the scene") : scene.files.front());
   auto solved = std::make_shared<Solved>();
   Method& method = solved->method;

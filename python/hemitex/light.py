@@ -81,6 +81,8 @@ class Solution:
 
 def solve(what: Scene | Elements,
           *,
+          texels: int | None = None,
+          texel_size: float | None = None,
           residual: float | None = None,
           shots: int | None = None,
           max_error: float | None = None,
@@ -98,6 +100,7 @@ def solve(what: Scene | Elements,
           progress: Told | None = None) -> Solution:
     """Solves by progressive radiosity, with the bits of `hemitex solve`.
 
+    texels, texel_size: the elements of a scene, as `discretize` takes them.
     residual: stops when so much of the emitted flux is unshot (default 0.001; 0.00001 with light from outside; with
     max_error a tenth of that, if it is less). shots: stops after so many, or at the residual.
     resolution, split: of hemicubes (default 256 and 0.003); with max_error its effort begins there.
@@ -107,7 +110,7 @@ def solve(what: Scene | Elements,
     editable: `edit` takes the solution.
     progress: a function of the share that is done; if it returns False, the solution ends with what it has.
     """
-    elements = _elements(what, editable)
+    elements = _elements(what, editable, texels, texel_size)
     settings = _settings(residual=residual, shots=shots, max_error=max_error, method=method, format=format,
                          samples=samples, seed=seed, editable=editable, elements_by=elements_by,
                          orientation=orientation, resolution=resolution, split=split)

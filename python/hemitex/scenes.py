@@ -375,19 +375,26 @@ class SetReflectance:
 Edit = Union[Move, Remove, Restore, Add, SetEmission, SetReflectance]
 
 
+def _shift(edit: Move | Add) -> Vector:
+    """How far an edit moves; one number, other than 0, says no direction."""
+    if np.ndim(edit.by) == 0 and edit.by != 0.0:
+        raise InputError(f"`by` of {type(edit).__name__} is one number; give three, along x, y and z")
+    return edit.by
+
+
 def _edits(edits: Edit | Sequence[Edit]) -> list[tuple[str, str, Any]]:
     """Edits as the module takes them."""
     result: list[tuple[str, str, Any]] = []
     kinds = (Move, Remove, Restore, Add, SetEmission, SetReflectance)
     for each in [edits] if isinstance(edits, kinds) else edits:
         if isinstance(each, Move):
-            result.append(("move", each.name, each.by))
+            result.append(("move", each.name, _shift(each)))
         elif isinstance(each, Remove):
             result.append(("remove", each.name, None))
         elif isinstance(each, Restore):
             result.append(("restore", each.name, None))
         elif isinstance(each, Add):
-            result.append(("add", os.fspath(each.file), each.by))
+            result.append(("add", os.fspath(each.file), _shift(each)))
         elif isinstance(each, SetEmission):
             result.append(("emission", each.name, each.to))
         elif isinstance(each, SetReflectance):
@@ -405,9 +412,16 @@ def _core_of(value: Any, kind: type) -> Any:
     return of._core
 
 
-def _elements(what: Scene | Elements, editable: bool = False) -> Elements:
-    """Elements as they are, or those of a scene by the default."""
-    return discretize(what, editable=editable) if isinstance(what, Scene) else what
+def _elements(what: Scene | Elements,
+              editable: bool = False,
+              texels: int | None = None,
+              texel_size: float | None = None) -> Elements:
+    """Elements as they are, or those of a scene."""
+    if isinstance(what, Scene):
+        return discretize(what, texels=texels, texel_size=texel_size, editable=editable)
+    if texels is not None or texel_size is not None:
+        raise InputError("the elements are divided already; give `texels` or `texel_size` to `discretize`")
+    return what
 
 
 def _numbers(values: Any, name: str) -> npt.NDArray[Any]:

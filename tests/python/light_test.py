@@ -197,3 +197,21 @@ def test_threads_limits_calls() -> None:
     with hx.threads(1):
         assert len(hx.vector_suite()) > 50
     assert os.getpid() > 0
+
+
+def test_a_shift_of_one_number_is_refused(box: hx.Scene) -> None:
+    for change in (hx.Move("floor", 5), hx.Add("other.obj", 1.0)):
+        with pytest.raises(hx.InputError, match="give three, along x, y and z"):
+            hx.edit(box, change)
+
+
+def test_solve_divides_scenes_only(box: hx.Scene) -> None:
+    assert np.array_equal(hx.solve(box, texels=4).radiosity, hx.solve(hx.discretize(box, texels=4)).radiosity)
+    with pytest.raises(hx.InputError, match="give `texels` or `texel_size` to `discretize`"):
+        hx.solve(hx.discretize(box, texels=4), texel_size=1.0)
+
+
+def test_a_dark_scene_of_arrays_is_told_of_arrays() -> None:
+    with pytest.raises(hx.InputError, match="from_arrays") as error:
+        hx.solve(hx.Scene.from_arrays(BOX_VERTICES, BOX_FACES, 0.5))
+    assert "MTL" not in str(error.value)

@@ -178,28 +178,30 @@ export function checkedForm(parent: HTMLElement, html: string, addInputs: (group
 /** A question that the page checks. Texts are trusted HTML. `solved` gets the right answer. */
 export function question(parent: HTMLElement, asked: Question, solved: (answer: string) => void = () => {}): void {
   checkedForm(parent, asked.text, (group) => {
-    const {given, verdict} = "options" in asked ? radioField(group, asked) : numberField(group, asked);
+    const {given, whyNot} = "options" in asked ? radioField(group, asked) : numberField(group, asked);
     return () => {
-      const {isRight, whyNot} = verdict();
-      if (!isRight) return {isRight, html: `Not yet. ${whyNot ?? "Try again."}`};
+      if (!isRightAnswer(asked, given())) return {isRight: false, html: `Not yet. ${whyNot() ?? "Try again."}`};
       solved(given());
-      return {isRight, html: `Right. ${asked.why}`};
+      return {isRight: true, html: `Right. ${asked.why}`};
     };
   });
 }
 
-/** The inputs of a question: what was answered, and whether it is right. */
-interface Field {
-  given: () => string;
-  verdict: () => {isRight: boolean; whyNot?: string};
+/** Whether an answer, as `solved` gets it, is right. */
+export function isRightAnswer(asked: Question, answer: string): boolean {
+  if ("options" in asked) return answer === asked.options[asked.right];
+  return Math.abs(Number(answer) - asked.answer()) <= asked.tolerance;
 }
 
-function radioField(parent: HTMLElement, {options, right, whyNot}: Extract<Question, {options: string[]}>): Field {
+/** The inputs of a question: what was answered, and the reply if it is wrong. */
+interface Field {
+  given: () => string;
+  whyNot: () => string | undefined;
+}
+
+function radioField(parent: HTMLElement, {options, whyNot}: Extract<Question, {options: string[]}>): Field {
   const chosen = radios(parent, options);
-  return {
-    given: () => chosen() ?? "",
-    verdict: () => ({isRight: chosen() === options[right], whyNot: whyNot?.[chosen() ?? ""]}),
-  };
+  return {given: () => chosen() ?? "", whyNot: () => whyNot?.[chosen() ?? ""]};
 }
 
 /** One of the options, which are trusted HTML. Returns what gives the chosen one. */
@@ -216,7 +218,7 @@ export function radios(parent: HTMLElement, options: string[]): () => string | u
 
 function numberField(
   parent: HTMLElement,
-  {answer, tolerance, whyNot}: Extract<Question, {tolerance: number}>,
+  {whyNot}: Extract<Question, {tolerance: number}>,
 ): Field {
   const line = element(parent, "label", {className: "line", textContent: "Answer:"});
   // Number inputs drop the decimal comma where the language of the browser has a point.
@@ -224,10 +226,7 @@ function numberField(
   const input = element(line, "input", {type: "text", inputMode: "decimal", autocomplete: "off", required: true});
   Object.assign(input, {pattern, title: "A number, such as 8 or 0.5"});
   const value = () => Number(input.value.replace(",", "."));
-  return {
-    given: () => String(value()),
-    verdict: () => ({isRight: Math.abs(value() - answer()) <= tolerance, whyNot: whyNot?.(value())}),
-  };
+  return {given: () => String(value()), whyNot: () => whyNot?.(value())};
 }
 
 /** A link to a file of the repository, in which the page lies in build/web. */

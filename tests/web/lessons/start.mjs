@@ -101,7 +101,7 @@ async function checkQuestions(page, {ok}) {
 }
 
 /** The file for the lecturer holds all answers, and a hash of them. */
-async function checkFile(page, {equal, value, folder}) {
+async function checkFile(page, {equal, ok, until, value, folder}) {
   equal(await value("solved"), "15 of 15 questions.", "solved questions");
   const arrival = page.waitForEvent("download");
   await page.getByRole("button", {name: "Save a file for your lecturer"}).click();
@@ -110,6 +110,23 @@ async function checkFile(page, {equal, value, folder}) {
   const {student, solved, sha256} = JSON.parse(readFileSync(path, "utf8"));
   equal(solved.map(({figure}) => figure).sort(), [...names].sort(), "the questions of the file");
   equal(createHash("sha256").update(JSON.stringify({student, solved})).digest("hex"), sha256, "its hash");
+
+  const check = async (change) => {
+    const file = JSON.parse(readFileSync(path, "utf8"));
+    change(file);
+    const buffer = Buffer.from(JSON.stringify(file));
+    await page.getByTestId("checked-file").evaluate((region) => region.replaceChildren());
+    await page.getByLabel("Check the file of a student:").setInputFiles({name: "solved.json", mimeType: "text/json", buffer});
+    await until(async () => (await value("checked-file")) !== "", "the file is checked");
+    return value("checked-file");
+  };
+  equal(await check(() => {}), "Without a name: 15 of 15 answers are right; the file is as it was saved.", "the file");
+  equal(
+    await check((file) => (file.solved[0].answer = "1")),
+    `Without a name: 14 of 15 answers are right, not ${solved[0].figure}; the file was changed.`,
+    "a wrong answer",
+  );
+  ok(/: [0-6] of 15 .* was changed/.test(await check((file) => (file.student = "Ada"))), "the file of another student");
 }
 
 /** Another name gives other numbers, and the same name the same ones. */

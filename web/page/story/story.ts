@@ -8,7 +8,7 @@ import {hemicube, pixelNumber, row as rowStep} from "./hemicube";
 import {clamp, indexMap} from "./ids";
 import {fault, gpu, write} from "./judging";
 import {cosine, lamp, nusselt} from "./light";
-import {Solved} from "./solved";
+import {checkedFile, Solved} from "./solved";
 import {shot, texture} from "./shooting";
 import type {Step, StoryPage} from "./step";
 import {numbersOf} from "./student";
@@ -133,6 +133,17 @@ class Story {
     this.observer.observe(place);
   }
 
+  /** For lecturers: the numbers follow from the name, so that the answers of a file can be checked. */
+  private addCheck(parent: HTMLElement): void {
+    const label = element(parent, "label", {className: "line", textContent: "Check the file of a student:"});
+    const input = element(label, "input", {type: "file", accept: ".json"});
+    const found = status(parent, "checked-file");
+    const page = storyPage(this.page);
+    const ask = (student: string, figure: string) =>
+      steps.find(({name}) => name === figure)?.question(numbersOf(student, figure), page);
+    input.addEventListener("change", async () => found.set(checkedFile((await input.files?.[0]?.text()) ?? "", ask)));
+  }
+
   /** Figures are built when they come near to what is seen: the page starts at once. */
   private build(seen: IntersectionObserverEntry[]): void {
     for (const {target, isIntersecting} of seen) {
@@ -148,7 +159,7 @@ class Story {
     element(section, "h3", {textContent: "What you have solved"});
     this.solved.show(status(section, "solved"));
     button(section, "Save a file for your lecturer", () => void this.solved.save());
-    text(section, "The numbers follow from the name, so that the answers of a file can be checked.");
+    this.addCheck(section);
     element(section, "p", {className: "source"}).innerHTML =
       "Nielsen and Christensen 2002, <cite>Fast Texture Based Form Factor Calculations for Radiosity using Graphics " +
       "Hardware</cite>. Cohen and Greenberg 1985, <cite>The Hemi-Cube: A Radiosity Solution for Complex " +
