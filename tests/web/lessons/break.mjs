@@ -43,6 +43,7 @@ export default async function check(page, tools) {
     return value("verdict");
   };
   ok((await answer("picture mirrored")).startsWith("Not this one"), "a wrong answer");
+  ok(await page.getByLabel("Drawn with picture mirrored").isVisible(), "the picture of the guessed fault");
   const right = await answer("picture upside down");
   ok(right.startsWith("Right.") && right.includes("https://github.com/libsdl-org/SDL/issues/2182"), right);
   const faults = [

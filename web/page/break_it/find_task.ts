@@ -1,9 +1,10 @@
 // A device with a hidden fault draws test vectors, and the student names the fault.
 import {checkedForm, choice, element, radios, row, type Control, type Option} from "../controls";
-import type {Vector} from "../core";
+import type {ItemBuffers, Vector} from "../core";
 import {differing} from "../face_view";
 import {drawWithFault} from "../faulty_device";
 import {plural, sum} from "../numbers";
+import {idColours, PixelCanvas} from "../pixels";
 import {hiddenDevices, type HiddenDevice} from "./hidden_devices";
 import type {Task} from "./task";
 
@@ -15,6 +16,7 @@ function candidates({fault, others}: HiddenDevice): string[] {
 export class FindTask {
   private readonly drawn: Control<string>; // the vector
   private readonly form: HTMLElement;
+  private readonly guessed: HTMLElement; // what a device with the guessed fault draws
   private number: number;
   private vector!: Vector;
 
@@ -31,6 +33,7 @@ export class FindTask {
     const drawn = {label: "Test vector that it draws", options: names, value: names[0]};
     this.drawn = choice(bar, drawn, (name) => this.showVector(name));
     this.form = element(place.text, "div");
+    this.guessed = element(place.text, "figure");
     this.showDevice();
   }
 
@@ -51,10 +54,12 @@ export class FindTask {
 
   private ask(device: HiddenDevice): void {
     this.form.replaceChildren();
+    this.guessed.replaceChildren();
     checkedForm(this.form, "Which fault does this device have?", (group) => {
       const fault = radios(element(group, "div", {className: "candidates"}), candidates(device));
       return () => {
         const isRight = fault() === device.fault;
+        this.guessed.replaceChildren();
         return {isRight, html: isRight ? this.story(device) : this.compareGuess(device, fault()!)};
       };
     });
@@ -65,11 +70,20 @@ export class FindTask {
     return `Right. To mend it: ${advice}. ${story} <a href="${source}">${source}</a>`;
   }
 
+  private showGuess(guess: string, found: ItemBuffers, face: number): void {
+    const {background, faces} = this.vector.json();
+    const [, , columns, rows] = faces[face].scissor;
+    element(this.guessed, "figcaption", {textContent: `${faces[face].name} by a device with “${guess}”:`});
+    const picture = new PixelCanvas(this.guessed, {label: `Drawn with ${guess}`, columns, rows, size: 250});
+    picture.show(idColours(found[face], background));
+  }
+
   /** How far a device with the guessed fault is from this one on the vector that is shown. */
   private compareGuess({fault, variant}: HiddenDevice, guess: string): string {
     const {vector} = this;
-    const device = drawWithFault(vector, fault, variant);
-    const count = sum(differing(drawWithFault(vector, guess), device));
+    const device = drawWithFault(vector, fault, variant), found = drawWithFault(vector, guess);
+    const counts = differing(found, device), count = sum(counts);
+    this.showGuess(guess, found, counts.indexOf(Math.max(...counts)));
     return count
       ? `Not this one: with that fault, ${plural(count, "pixel")} of ${vector.name()} would look otherwise. Try again.`
       : `Not this one, though on ${vector.name()} it would look the same. Try another vector.`;

@@ -4,6 +4,9 @@ import {okLch, type Rgb} from "../colours";
 /** Of what is no element. */
 export const backgroundColour: Rgb = [0.24, 0.24, 0.27];
 
+/** Of backs of faces, which absorb. */
+export const backColour: Rgb = [0.5, 0.16, 0.14];
+
 /** @param hue of OKLab, in [0, 1) */
 export function texelColour(hue: number, columns: number, rows: number, index: number): Rgb {
   const odd = ((index % columns) + Math.floor(index / columns)) % 2;

@@ -34,9 +34,9 @@ export class FoldedHemicube {
   show(cross: HTMLCanvasElement, degrees: number): void {
     this.view.hidden = degrees === 0;
     cross.style.visibility = degrees === 0 ? "" : "hidden";
-    // Tilted, so that two sides show their inside, and larger, because the cube is smaller than the cross.
+    // Tilted, so that two sides show their inside, and smaller, because raised sides are nearer and must cover no text.
     const tilt = degrees / 5;
-    this.cube.style.transform = `scale(${1 + degrees / 250}) rotateX(${-tilt}deg) rotateY(${tilt}deg)`;
+    this.cube.style.transform = `scale(${1 - 0.25 * Math.sin((Math.PI * degrees) / 180)}) rotateX(${-tilt}deg) rotateY(${tilt}deg)`;
     const quarter = cross.width / 4;
     faces.forEach(({box, axis, sign}, face) => {
       const canvas = this.canvases[face];

@@ -7,7 +7,7 @@ import type {Lesson, State} from "../lesson";
 import {largestSize, sum} from "../numbers";
 import {PixelCanvas} from "../pixels";
 import {SceneView} from "../scene_view";
-import {backgroundColour, bytesOf, cssColour, texelColour} from "./element_colours";
+import {backColour, backgroundColour, bytesOf, cssColour, texelColour} from "./element_colours";
 import {FoldedHemicube} from "./folded_hemicube";
 import {Texels, type Texel} from "./texel_names";
 import {unfoldedHemicube, type FacePixel} from "./unfolded_hemicube";
@@ -210,21 +210,21 @@ class HemicubeLesson {
     this.table.innerHTML = `<table><thead><tr><th scope="col">to</th><th scope="col">form factor</th></tr></thead>
       <tbody>${surfaces.join("")}
       ${line("background", background, cssColour(backgroundColour))}
-      ${line("backs", backs, cssColour(backgroundColour))}
+      ${line("backs", backs, cssColour(backColour))}
       ${line("sum", total, "none")}</tbody></table>`;
   }
 
   private paint(): void {
     const {faces, formFactors} = this.view;
     const largest = largestSize(faces.map(({weights}) => largestSize(weights)));
-    const ofElement = this.colours.map(bytesOf), background = bytesOf(backgroundColour);
+    const ofElement = this.colours.map(bytesOf), background = bytesOf(backgroundColour), back = bytesOf(backColour);
     const pixels = new Uint8ClampedArray(4 * this.cross.length);
     this.cross.forEach((place, i) => {
       if (!place) return;
       const {elements, weights} = faces[place.face];
       const shown = elements[place.pixel];
       if (this.byShare) pixels.set(paletteBytes[levelOf(weights[place.pixel], largest)], 4 * i);
-      else pixels.set(shown < 0 ? background : ofElement[shown], 4 * i);
+      else pixels.set(shown >= 0 ? ofElement[shown] : shown === -1 ? background : back, 4 * i);
     });
     this.picture.show(pixels, 2 * this.resolution, 2 * this.resolution);
 

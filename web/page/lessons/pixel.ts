@@ -264,10 +264,16 @@ class PixelLesson {
 
   private addQuestion(parent: HTMLElement): void {
     question(parent, {
-      text: "r8g8b8a8, offset 200, index 60: the item ID of a clamped add?",
-      answer: () => this.core.blend("r8g8b8a8", "clamped-add", 200, 60),
+      text: "r5g6b5 without aligned offsets: the board has offset 25. Which item ID has its texel 10?",
+      answer: () => this.core.blend("r5g6b5", "clamped-add", 25, 10),
       tolerance: 0,
-      why: `A channel of 8 bits holds at most 255; the carry is lost. Offsets that are multiples of 2<sup>k</sup>, where
+      whyNot: (value) =>
+        value === 35
+          ? "35 needs six bits; the lowest channel has five. Switch alignment off and look at the magenta pixels."
+          : value === 3
+            ? "Integers of five bits begin again at 0. A blend unit clamps."
+            : undefined,
+      why: `A channel of 5 bits holds at most 31; the carry is lost. Offsets that are multiples of 2<sup>k</sup>, where
         k bits hold the largest index, share no bit with an index. Then no sum overflows.`,
     });
     const links = row(parent);

@@ -24,7 +24,9 @@ function addText(right: HTMLElement): void {
     "A shot takes the patch <math><mi>i</mi></math> with the most unshot flux Φ and draws one hemicube over it. Each " +
       "element <math><mi>j</mi></math> reflects a part ρ of the flux that it receives. This part is unshot in turn: " +
       `${shotFormula}. The ambient estimate spreads all unshot flux evenly, for display: ` +
-      `<math><msub><mi>ρ</mi><mi>j</mi></msub></math>${ambientFormula} (Cohen, Chen, Wallace and Greenberg 1988).`,
+      `<math><msub><mi>ρ</mi><mi>j</mi></msub></math>${ambientFormula} (Cohen, Chen, Wallace and Greenberg 1988). ` +
+      "It takes the room for closed, and is too bright where light leaves by an open front. The residual is the unshot " +
+      "flux, without signs, over the emitted flux.",
   );
 }
 

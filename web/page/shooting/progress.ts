@@ -54,9 +54,9 @@ export class Progress {
   constructor(parent: HTMLElement, squareMetres: number) {
     this.shots = status(parent, "shots");
     this.plot = new Plot(parent, {
-      label: "Unshot flux over emitted flux, over the number of shots",
+      label: "Residual over the number of shots",
       x: "shots",
-      y: "unshot / emitted",
+      y: "residual",
       logarithmicY: true,
     });
     this.showEnergy = energyBar(parent, squareMetres);
@@ -66,8 +66,8 @@ export class Progress {
     const isSigned = sum(info.energy.unshot) < 0.99 * info.residual * sum(info.energy.emitted);
     const negative = isSigned ? ", negative flux counted as positive" : "";
     const before = sum(info.energy.emitted) > 0 ? "" : " of the light before the lamp was switched off";
-    this.shots.set(`${shots} shots: ${(100 * info.residual).toFixed(3)} % unshot${before}${negative}`);
-    this.plot.set([{name: "unshot", points: curve}]);
+    this.shots.set(`${shots} shots: residual ${(100 * info.residual).toFixed(3)} %${before}${negative}`);
+    this.plot.set([{name: "residual", points: curve}]);
     this.showEnergy(info);
   }
 }

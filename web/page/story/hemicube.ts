@@ -1,7 +1,7 @@
 // Steps about the hemicube: how it stands in the room, what its pixels hold, and the row that they add up to.
 import {element, slider, status} from "../controls";
 import type {HemicubeFace, Vec3} from "../core";
-import {backgroundColour, bytesOf, cssColour, texelColour} from "../lessons/element_colours";
+import {backgroundColour, cssColour, texelColour} from "../lessons/element_colours";
 import {FoldedHemicube} from "../lessons/folded_hemicube";
 import {unfoldedHemicube} from "../lessons/unfolded_hemicube";
 import {PixelCanvas} from "../pixels";
@@ -15,12 +15,11 @@ const resolution = 64;
 /** The pixels of the cross, of which `isShown` says which are bright; the order is that of a sum over all faces. */
 function crossColours(room: Room, isShown: (face: number, pixel: number) => boolean): Uint8ClampedArray {
   const cross = unfoldedHemicube(resolution), {faces} = room.hemicube(resolution);
-  const ofElement = room.bytes(), background = bytesOf(backgroundColour);
+  const colours = room.bytes();
   const pixels = new Uint8ClampedArray(4 * cross.length);
   cross.forEach((place, i) => {
     if (!place) return;
-    const shown = faces[place.face].elements[place.pixel];
-    const colour = shown < 0 ? background : ofElement[shown];
+    const colour = colours[faces[place.face].elements[place.pixel]];
     const level = isShown(place.face, place.pixel) ? 1 : 0.25;
     pixels.set([...colour.slice(0, 3).map((value) => level * value), 255], 4 * i);
   });
@@ -35,10 +34,10 @@ function crossPicture(parent: HTMLElement): PixelCanvas {
 /** The pixels of a face as a picture. */
 function facePicture(room: Room, {elements, width, height}: HemicubeFace): HTMLCanvasElement {
   const picture = Object.assign(document.createElement("canvas"), {width, height});
-  const image = new ImageData(width, height), ofElement = room.bytes(), background = bytesOf(backgroundColour);
+  const image = new ImageData(width, height), colours = room.bytes();
   elements.forEach((shown, pixel) => {
     const line = height - 1 - Math.floor(pixel / width);
-    image.data.set(shown < 0 ? background : ofElement[shown], 4 * (line * width + (pixel % width)));
+    image.data.set(colours[shown], 4 * (line * width + (pixel % width)));
   });
   picture.getContext("2d")!.putImageData(image, 0, 0);
   return picture;
@@ -70,7 +69,7 @@ export const hemicube: Step = {
     const room = roomOf(scene);
     const both = element(root, "div", {className: "side-by-side"});
     const view = new SceneView(both, {label: "The room and the patch", scene, elements: room.elements});
-    view.setColours(Float32Array.from(room.bytes().flatMap((rgba) => rgba.slice(0, 3).map((value) => value / 255))));
+    view.setColours(room.colours());
     view.mark([room.source]);
     stand(view, room);
     const box = element(both, "div", {className: "cross"});
@@ -112,9 +111,9 @@ export const pixelNumber: Step = {
     const face = room.hemicube(columns).faces[0].elements;
     // As seen from below: columns of a face run to the left.
     const elements = face.map((_, pixel) => face[pixel - (pixel % columns) + columns - 1 - (pixel % columns)]);
-    const ofElement = room.bytes(), background = bytesOf(backgroundColour);
+    const colours = room.bytes();
     const picture = new PixelCanvas(root, {label: "The top face: a number per pixel", columns, rows: columns, size: 384});
-    picture.show(Uint8ClampedArray.from([...elements].flatMap((shown) => (shown < 0 ? background : ofElement[shown]))));
+    picture.show(Uint8ClampedArray.from([...elements].flatMap((shown) => colours[shown])));
     const found = status(root, "pixel-number-shown");
     const point = (column: number, line: number) => {
       state.set("pixel-number", line * columns + column);

@@ -1,7 +1,7 @@
 // The room of the story: its elements, a patch in the middle, and the hemicube over it.
 import {type Rgb} from "../colours";
 import type {Elements, HemicubeView, Scene} from "../core";
-import {backgroundColour, bytesOf, texelColour} from "../lessons/element_colours";
+import {backColour, backgroundColour, bytesOf, texelColour} from "../lessons/element_colours";
 import {Texels, type Texel} from "../lessons/texel_names";
 
 const goldenRatio = 0.6180339887498949;
@@ -53,15 +53,22 @@ export class Room {
   }
 
   colourOf(shown: number): Rgb {
-    if (shown < 0) return backgroundColour;
+    if (shown < 0) return shown === -1 ? backgroundColour : backColour;
     const {surface, column, row} = this.texels.of(shown);
     const {columns, rows} = this.texels.info.surfaces[surface];
     return texelColour(this.hueOf(this.texels.whole(surface)), columns, rows, row * columns + column);
   }
 
-  /** RGBA of the elements, in bytes. */
-  bytes(): number[][] {
-    return Array.from({length: this.texels.info.elements}, (_, element) => bytesOf(this.colourOf(element)));
+  /** RGBA in bytes of the elements, and from -2 on those of backs and of the background. */
+  bytes(): Record<number, number[]> {
+    const numbers = Array.from({length: this.texels.info.elements + 2}, (_, k) => k - 2);
+    return Object.fromEntries(numbers.map((shown) => [shown, bytesOf(this.colourOf(shown))]));
+  }
+
+  /** sRGB of the elements, for a view of the scene. */
+  colours(): Float32Array {
+    const numbers = [...Array(this.texels.info.elements).keys()];
+    return Float32Array.from(numbers.flatMap((element) => this.colourOf(element)));
   }
 }
 
