@@ -92,6 +92,7 @@ class HemicubeLesson {
       rows: 2 * this.resolution,
       size: 320,
     });
+    this.addFaceNames(box);
     this.folded = new FoldedHemicube(box);
     this.table = element(result, "div");
     this.pixel = status(right, "hemicube-pixel");
@@ -144,6 +145,16 @@ class HemicubeLesson {
       this.foldedBy = to;
       this.state.set("fold", to);
       this.folded.show(this.picture.canvas, to);
+    });
+  }
+
+  /** In the corners of the cross, beside the faces. */
+  private addFaceNames(box: HTMLElement): void {
+    const places = ["left: 0; top: 0", "left: 0; bottom: 0", "right: 0; top: 0", "right: 0; bottom: 0"];
+    const texts = ["middle: top", "left: side +x", "up: side +y, down: −y", "right: side −x"];
+    places.forEach((place, k) => {
+      const name = element(box, "span", {className: "face-name", textContent: texts[k]});
+      name.style.cssText = place;
     });
   }
 

@@ -209,6 +209,7 @@ class WriteLesson {
   private async run(): Promise<void> {
     this.instruction.innerHTML = allSteps[this.step].text;
     this.next.hidden = true;
+    if (allSteps[this.step].light) this.drawnView.hide();
     this.result.set("Judging ...");
     this.sandbox?.end();
     const sandbox = (this.sandbox = new Sandbox(this.editor.code()));
