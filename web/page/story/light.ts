@@ -63,7 +63,7 @@ export const cosine: Step = {
   text: `Turn the element. Fewer rays meet it, because it hides less of the beam: its height across the beam is its
     length times cos θ, where θ is the angle between the beam and the <em>normal</em>, which stands upright on the
     surface. A matt lamp has a cosine too: seen from the side, its surface looks smaller. Both cosines and the squared
-    distance make the share of one small area dA that light from another point brings:
+    distance give the share of the light of a point that reaches a small area dA:
     <math display="block"><mi>dF</mi><mo>=</mo><mi>cos</mi><msub><mi>θ</mi><mn>1</mn></msub>
     <mi>cos</mi><msub><mi>θ</mi><mn>2</mn></msub><mi>dA</mi><mo>/</mo><mo stretchy="false">(</mo><mi>π</mi>
     <msup><mi>d</mi><mn>2</mn></msup><mo stretchy="false">)</mo></math>`,

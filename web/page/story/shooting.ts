@@ -117,7 +117,7 @@ export const texture: Step = {
     each element into its texel, and draw the undivided wall with it. On the left the card takes the nearest texel, and
     elements show as squares. On the right it <em>filters</em>: between the centres of texels it goes smoothly from one
     to the next. The same table of texels serves twice: with numbers to find the form factors, with light for the
-    picture. The paper needs no step to join elements to a mesh.`,
+    picture. Nothing is ever cut into a mesh.`,
   paper: "section 3.3",
   source: "radiosity/textures/radiosity_texture.h",
   figure(root, {scene, state}) {
