@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <string>
+#include <utility>
 
+#include "radiosity/projection/patch_view.h"
 #include "raster/base/input_error.h"
 #include "raster/base/parallel.h"
 
@@ -12,12 +14,12 @@ namespace {
 
 constexpr int largestPicture = 2048;
 
-/// Two samples per pixel along each side.
-std::vector<std::optional<Visible>> seeTwice(const Scene& scene, const Camera& camera, int width, int height) {
+using Samples = std::vector<std::optional<Visible>>;
+
+void requireSides(int width, int height) {
   if (std::max(width, height) > largestPicture)
     throw raster::InputError("a picture of " + std::to_string(width) + " x " + std::to_string(height) + " pixels",
                              "choose sides of at most " + std::to_string(largestPicture));
-  return visibleSamples(scene, camera, 2 * width, 2 * height);
 }
 
 /// Averages 2 x 2 samples of a picture of twice the size into each pixel.
@@ -33,6 +35,41 @@ Image halved(const std::vector<glm::dvec3>& samples, int width, int height) {
       image.pixels.push_back((at(column, row) + at(column + 1, row) + at(column, row + 1) + at(column + 1, row + 1)) /
                              4.0);
   return image;
+}
+
+/// The mean colour of 2 x 2 samples per pixel.
+Image meanColours(const Samples& samples, int width, int height, const ColourOf& colourOf,
+                  const glm::dvec3& background) {
+  std::vector<glm::dvec3> colours(samples.size(), background);
+  const std::size_t rowLength = 2 * static_cast<std::size_t>(width);
+  raster::parallelFor(samples.size() / rowLength, [&](std::size_t row) {
+    for (std::size_t i = row * rowLength; i < (row + 1) * rowLength; ++i)
+      if (samples[i]) colours[i] = colourOf(*samples[i]);
+  });
+  return halved(colours, width, height);
+}
+
+/// Whether the samples of the pixel of a sample, or one beside them, show several surfaces; one per sample.
+std::vector<std::uint8_t> edgesOf(const Samples& samples, int width, int height) {
+  const int columns = 2 * width, rows = 2 * height;
+  const auto at = [&](int column, int row) {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(column);
+  };
+  const auto shown = [&](int column, int row) {
+    const auto& sample = samples[at(std::clamp(column, 0, columns - 1), std::clamp(row, 0, rows - 1))];
+    return sample ? std::pair<std::int64_t, std::uint32_t>(sample->surface, sample->instance) : std::pair<std::int64_t, std::uint32_t>(-1, 0);
+  };
+  std::vector<std::uint8_t> edges(samples.size());
+  raster::parallelFor(static_cast<std::size_t>(height), [&](std::size_t pixelRow) {
+    const int top = 2 * static_cast<int>(pixelRow);
+    for (int left = 0; left < columns; left += 2) {
+      const auto first = shown(left, top);
+      bool isEdge = false;
+      for (int k = 0; k < 16 && !isEdge; ++k) isEdge = shown(left - 1 + k % 4, top - 1 + k / 4) != first;
+      for (int k = 0; k < 4; ++k) edges[at(left + k % 2, top + k / 2)] = isEdge;
+    }
+  });
+  return edges;
 }
 
 const Triangle& triangleOf(const Scene& scene, const Visible& visible) {
@@ -54,8 +91,9 @@ struct ShownPiece {
 /// is one pixel.
 template <typename PieceOf>
 Image borderPicture(const Scene& scene, const Camera& camera, int width, int height, const PieceOf& pieceOf) {
+  requireSides(width, height);
   std::vector<std::optional<ShownPiece>> pieces;
-  for (const std::optional<Visible>& visible : seeTwice(scene, camera, width, height))
+  for (const std::optional<Visible>& visible : visibleSamples(scene, camera, 2 * width, 2 * height))
     pieces.push_back(visible ? std::optional<ShownPiece>(pieceOf(*visible)) : std::nullopt);
   const int columns = 2 * width, rows = 2 * height;
   const auto at = [&](int column, int row) -> const std::optional<ShownPiece>& {
@@ -87,14 +125,23 @@ std::uint32_t elementAt(const Scene& scene, const Discretization& discretization
 
 Image drawPicture(const Scene& scene, const Camera& camera, int width, int height, const ColourOf& colourOf,
                   const glm::dvec3& background) {
-  const std::vector<std::optional<Visible>> samples = seeTwice(scene, camera, width, height);
-  std::vector<glm::dvec3> colours(samples.size(), background);
-  const std::size_t rowLength = 2 * static_cast<std::size_t>(width);
-  raster::parallelFor(samples.size() / rowLength, [&](std::size_t row) {
-    for (std::size_t i = row * rowLength; i < (row + 1) * rowLength; ++i)
-      if (samples[i]) colours[i] = colourOf(*samples[i]);
-  });
-  return halved(colours, width, height);
+  requireSides(width, height);
+  const std::vector<std::uint32_t> skipped = trianglesFacingAway(scene, camera.eye);
+  TriangleView view(scene);
+  const Samples samples = view.see(camera, 2 * width, 2 * height, skipped);
+  Image image = meanColours(samples, width, height, colourOf, background);
+  const std::vector<std::uint8_t> edges = edgesOf(samples, width, height);
+  std::vector<glm::dvec3> sums(image.pixels.size(), glm::dvec3(0));
+  for (const glm::vec2& shift : {glm::vec2(-0.25F, -0.25F), {0.25F, -0.25F}, {-0.25F, 0.25F}, {0.25F, 0.25F}}) {
+    const Samples shifted = view.see(camera, 2 * width, 2 * height, skipped, shift, edges);
+    const Image finer = meanColours(shifted, width, height, colourOf, background);
+    for (std::size_t p = 0; p < sums.size(); ++p) sums[p] += finer.pixels[p];
+  }
+  for (std::size_t p = 0; p < sums.size(); ++p) {
+    const std::size_t row = p / static_cast<std::size_t>(width), column = p % static_cast<std::size_t>(width);
+    if (edges[4 * row * static_cast<std::size_t>(width) + 2 * column]) image.pixels[p] = sums[p] / 4.0;
+  }
+  return image;
 }
 
 glm::dvec3 skyColour(const glm::dvec3& sky, double exposure) { return glm::min(sky * exposure, glm::dvec3(1.0)); }

@@ -59,8 +59,12 @@ TriangleView::TriangleView(const Scene& scene) : scene_(scene), renderer_(makeTr
 }
 
 std::vector<std::optional<Visible>> TriangleView::see(const Camera& camera, int width, int height,
-                                                      std::span<const std::uint32_t> skipped) {
-  const raster::Face face = cameraFace(scene_, camera, width, height);
+                                                      std::span<const std::uint32_t> skipped, const glm::vec2& shift,
+                                                      std::span<const std::uint8_t> wanted) {
+  raster::Face face = cameraFace(scene_, camera, width, height);
+  // A point at x is drawn at x less the shift, and so on. The distance of samples is 2 / resolution.
+  face.x -= 2 * shift.x / static_cast<float>(face.resolution) * face.w;
+  face.y -= 2 * shift.y / static_cast<float>(face.resolution) * face.w;
   const raster::ItemBuffer buffer = render(renderer_, {&face, 1}, skipped).front();
   const raster::ItemId background = raster::backgroundId(renderer_.drawList().format);
   const auto direction = directionsOf(face);
@@ -69,14 +73,14 @@ std::vector<std::optional<Visible>> TriangleView::see(const Camera& camera, int 
     const auto row = static_cast<int>(rowIndex);
     for (int column = 0; column < width; ++column) {
       const auto pixel = rowIndex * static_cast<std::size_t>(width) + static_cast<std::size_t>(column);
-      if (buffer.ids[pixel] == background) continue;
+      const auto sample = (static_cast<std::size_t>(height) - 1 - rowIndex) * static_cast<std::size_t>(width) +
+                          static_cast<std::size_t>(column);
+      if (buffer.ids[pixel] == background || (!wanted.empty() && wanted[sample] == 0)) continue;
       const TrianglePlace& place = places_[buffer.ids[pixel]];
       std::array<glm::dvec3, 3> corner = scene_.surfaces[place.surface].triangles[place.triangle].position;
       for (glm::dvec3& position : corner) position = scene_.instances[place.instance](position) - scene_.origin;
-      const auto fromTop = static_cast<std::size_t>(height - 1 - row);
-      samples[fromTop * static_cast<std::size_t>(width) + static_cast<std::size_t>(column)] = {
-          place.surface, place.triangle, weightsOf(corner, glm::dvec3(face.eye), direction(column, row)),
-          place.instance};
+      samples[sample] = {place.surface, place.triangle, weightsOf(corner, glm::dvec3(face.eye), direction(column, row)),
+                         place.instance};
     }
   });
   return samples;

@@ -40,9 +40,12 @@ class TriangleView {
  public:
   explicit TriangleView(const Scene& scene);
 
-  /// As visibleSamples, but only the triangles in `skipped` (numbers in space, ascending) are invisible.
+  /// As visibleSamples, but only the triangles in `skipped` (numbers in space, ascending) are invisible. `shift` moves
+  /// the samples to the right and up, in distances of samples. With `wanted`, one per sample, row 0 at the top, the
+  /// others are left out.
   std::vector<std::optional<Visible>> see(const Camera& camera, int width, int height,
-                                          std::span<const std::uint32_t> skipped);
+                                          std::span<const std::uint32_t> skipped, const glm::vec2& shift = {},
+                                          std::span<const std::uint8_t> wanted = {});
 
  private:
   const Scene& scene_;
