@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "radiosity/discretization/discretize.h"
+#include "radiosity/discretization/exposure.h"
 #include "radiosity/pictures/default_camera.h"
 #include "radiosity/scene/load_scene.h"
 #include "raster/base/file_io.h"
@@ -35,8 +36,8 @@ std::shared_ptr<SceneHandle> loadScene(const Value& files, const std::string& ma
   return guarded([&] {
     const Folder folder(files);
     const std::filesystem::path file = folder.path() / main;
-    const auto scene =
-        std::make_shared<const radiosity::Scene>(radiosity::loadScene(file, {.sides = radiosity::Sides::TwoOfSheets}));
+    const auto scene = std::make_shared<const radiosity::Scene>(
+        radiosity::separatedAtWalls(radiosity::loadScene(file, {.sides = radiosity::Sides::TwoOfSheets})));
     std::filesystem::path view = file;
     view.replace_extension(".view.json");
     const Json camera =
