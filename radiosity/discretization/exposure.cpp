@@ -1,6 +1,7 @@
 #include "radiosity/discretization/exposure.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -17,6 +18,7 @@
 #include "radiosity/discretization/triangle_slices.h"
 #include "radiosity/scene/contacts.h"
 #include "radiosity/scene/ray_tree.h"
+#include "raster/base/cross.h"
 #include "raster/base/parallel.h"
 
 namespace hemitex::radiosity {
@@ -371,28 +373,79 @@ std::vector<std::vector<std::uint32_t>> regionsBehindWalls(const Surface& surfac
   return behind;
 }
 
-/// The triangles of a surface without those of some regions, then those of each region.
-std::vector<std::vector<Triangle>> separated(const Surface& surface, const CutSurface& cut,
-                                             const std::vector<std::vector<std::uint32_t>>& regions) {
-  std::vector<std::size_t> partOf(cut.cuttings.size());
-  for (std::size_t part = 0; part < regions.size(); ++part)
-    for (const std::uint32_t c : regions[part]) partOf[c] = part + 1;
-  std::vector<std::vector<Triangle>> parts(regions.size() + 1);
-  for (std::uint32_t t = 0; t < surface.triangles.size(); ++t) {
-    const std::uint32_t first = cut.first[t], end = cut.first[t + 1];
-    const Triangle& whole = surface.triangles[t];
-    if (std::all_of(partOf.begin() + first, partOf.begin() + end, [&](auto part) { return part == partOf[first]; })) {
-      parts[partOf[first]].push_back(whole);
-      continue;
-    }
-    for (std::uint32_t c = first; c < end; ++c) {
-      const std::vector<Triangle> pieces = trianglesOf(whole, cornersOf(*cut.cuttings[c].piece));
-      parts[partOf[c]].insert(parts[partOf[c]].end(), pieces.begin(), pieces.end());
-    }
+/// The parts that a surface is separated into: 0, and one per region behind a wall.
+class SeparatedSurface {
+ public:
+  SeparatedSurface(const Surface& surface, const CutSurface& cut, const std::vector<std::vector<std::uint32_t>>& exposed,
+                   const std::vector<std::vector<std::uint32_t>>& behind)
+      : surface_(surface), cut_(cut), partOf_(cut.cuttings.size()), parts_(behind.size() + 1) {
+    for (const std::vector<std::uint32_t>& region : exposed)
+      for (const std::uint32_t c : region) partOf_[c] = 0;
+    for (std::size_t part = 0; part < behind.size(); ++part)
+      for (const std::uint32_t c : behind[part]) partOf_[c] = part + 1;
+    for (std::uint32_t t = 0; t < surface.triangles.size(); ++t) separate(t);
+    std::erase_if(parts_, [](const auto& part) { return part.empty(); });
   }
-  std::erase_if(parts, [](const auto& part) { return part.empty(); });
-  return parts;
-}
+
+  std::vector<std::vector<Triangle>> take() { return std::move(parts_); }
+
+ private:
+  void separate(std::uint32_t triangle) {
+    std::set<std::size_t> parts;
+    for (std::uint32_t c = cut_.first[triangle]; c < cut_.first[triangle + 1]; ++c)
+      if (partOf_[c]) parts.insert(*partOf_[c]);
+    if (parts.size() < 2)
+      return parts_[parts.empty() ? 0 : *parts.begin()].push_back(surface_.triangles[triangle]);
+    for (std::uint32_t c = cut_.first[triangle]; c < cut_.first[triangle + 1]; ++c)
+      partOf_[c] ? append(triangle, *cut_.cuttings[c].piece, *partOf_[c]) : appendBuried(triangle, cut_.cuttings[c]);
+  }
+
+  void append(std::uint32_t triangle, const Piece& piece, std::size_t part) {
+    const std::vector<Triangle> triangles = trianglesOf(surface_.triangles[triangle], cornersOf(piece));
+    parts_[part].insert(parts_[part].end(), triangles.begin(), triangles.end());
+  }
+
+  /// A buried piece belongs to the part beside it. Between two parts each gets a half, so that a picture that shows
+  /// the border of the wall by rounding shows light of the same side.
+  void appendBuried(std::uint32_t triangle, const Cutting& cutting) {
+    const Piece& piece = *cutting.piece;
+    const auto corner = [&](std::size_t i) { return piece.corners[i % piece.size].weight; };
+    const auto middleOf = [&](std::size_t i) { return (corner(i) + corner(i + 1)) / 2.0; };
+    const auto partBeside = [&](std::size_t i) {
+      constexpr double step = 1e-3;  // beyond the side, in distances from the centre
+      return partAt(triangle, middleOf(i) + step * (middleOf(i) - cutting.centre));
+    };
+    std::optional<std::size_t> side;  // the first one with a part beside it
+    for (std::size_t i = 0; i < piece.size; ++i) {
+      const std::optional<std::size_t> part = partBeside(i);
+      if (!part) continue;
+      if (!side) side = i;
+      const std::size_t first = *partBeside(*side);
+      if (first == *part) continue;
+      // The line in the middle between both sides.
+      const glm::dvec2 from = (corner(*side) + corner(i + 1)) / 2.0,
+                       along = (corner(*side + 1) + corner(i)) / 2.0 - from;
+      std::array<double, 12> distances{};
+      for (std::size_t k = 0; k < piece.size; ++k) distances[k] = raster::cross(along, corner(k) - from);
+      const Halves halves = split(piece, distances);
+      const bool isBelow = raster::cross(along, middleOf(*side) - from) < 0;
+      append(triangle, isBelow ? halves.below : halves.above, first);
+      return append(triangle, isBelow ? halves.above : halves.below, *part);
+    }
+    append(triangle, piece, side ? *partBeside(*side) : 0);
+  }
+
+  /// The part of an exposed piece at a point of a triangle.
+  std::optional<std::size_t> partAt(std::uint32_t triangle, const glm::dvec2& weights) const {
+    if (weights.x < 0 || weights.y < 0 || weights.x + weights.y > 1) return std::nullopt;
+    return partOf_[cuttingAt(cut_, surface_, oneTexel, triangle, weights)];
+  }
+
+  const Surface& surface_;
+  const CutSurface& cut_;
+  std::vector<std::optional<std::size_t>> partOf_;  ///< of each cutting; none if it is buried
+  std::vector<std::vector<Triangle>> parts_;
+};
 
 /// Replaces surfaces by parts; no parts mean that a surface stays.
 void replaceByParts(Scene& scene, std::vector<std::vector<std::vector<Triangle>>> partsOf) {
@@ -447,9 +500,9 @@ Scene separatedAtWalls(Scene scene) {
   raster::parallelFor(partsOf.size(), [&](std::size_t s) {
     const CutSurface* const cut = regions.cutOf(static_cast<std::uint32_t>(s));
     if (cut == nullptr || scene.surfaces[s].twin) return;
-    const auto behind =
-        regionsBehindWalls(scene.surfaces[s], *cut, regions.exposedRegions(static_cast<std::uint32_t>(s)));
-    if (!behind.empty()) partsOf[s] = separated(scene.surfaces[s], *cut, behind);
+    const auto exposed = regions.exposedRegions(static_cast<std::uint32_t>(s));
+    const auto behind = regionsBehindWalls(scene.surfaces[s], *cut, exposed);
+    if (!behind.empty()) partsOf[s] = SeparatedSurface(scene.surfaces[s], *cut, exposed, behind).take();
   });
   replaceByParts(scene, std::move(partsOf));
   return scene;
