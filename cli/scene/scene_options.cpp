@@ -7,6 +7,7 @@
 #include "cli/common/json.h"
 #include "cli/scene/symmetry_options.h"
 #include "radiosity/discretization/discretize.h"
+#include "radiosity/discretization/exposure.h"
 #include "radiosity/scene/load_scene.h"
 #include "radiosity/scene/surface_names.h"
 #include "raster/base/input_error.h"
@@ -139,7 +140,9 @@ ordered_json toJson(const radiosity::SceneSettings& settings) {
 }
 
 radiosity::Scene loadedScene(const SceneOptions& options) {
-  return withMaterials(radiosity::loadScene(options.file, options.settings), options.materials, options.settings);
+  radiosity::Scene scene =
+      withMaterials(radiosity::loadScene(options.file, options.settings), options.materials, options.settings);
+  return options.settings.facets ? scene : radiosity::separatedAtWalls(std::move(scene));
 }
 
 radiosity::Scene sceneOf(const SceneOptions& options, Console& console) {

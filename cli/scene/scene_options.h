@@ -27,7 +27,8 @@ struct SceneOptions {
 };
 void addSceneOptions(Command command, SceneOptions& options);
 nlohmann::ordered_json toJson(const radiosity::SceneSettings& settings);
-/// Loads the scene and changes its materials. Throws InputError as radiosity::loadScene and withMaterials.
+/// Loads the scene, changes its materials, and separates its surfaces at walls unless they are facets. Throws InputError
+/// as radiosity::loadScene and withMaterials.
 radiosity::Scene loadedScene(const SceneOptions& options);
 /// As loadedScene, and prints the warnings of the scene.
 radiosity::Scene sceneOf(const SceneOptions& options, Console& console);

@@ -68,9 +68,10 @@ radiosity::SceneSettings sceneSettings(const Settings& settings) {
   return result;
 }
 
-/// Facets lose what is inside solids.
+/// Facets lose what is inside solids; other surfaces are separated at walls.
 std::shared_ptr<const Scene> shared(Scene scene, const radiosity::SceneSettings& settings) {
-  return std::make_shared<const Scene>(settings.facets ? radiosity::withoutBuried(std::move(scene)) : std::move(scene));
+  return std::make_shared<const Scene>(settings.facets ? radiosity::withoutBuried(std::move(scene))
+                                                       : radiosity::separatedAtWalls(std::move(scene)));
 }
 
 PythonScene loadScene(const std::filesystem::path& file, const py::dict& given) {

@@ -161,10 +161,45 @@ std::array<bool, 3> edgesOf(const Piece& piece) {
   return {corners[0] > 1, corners[1] > 1, corners[2] > 1};
 }
 
+/// A segment in space.
+struct Segment {
+  glm::dvec3 from, to;
+};
+
+/// The part of a segment, as distances from its first end, that another one covers; without length if the other does
+/// not lie along it within a tolerance.
+glm::dvec2 overlap(const Segment& segment, const Segment& other, double tolerance) {
+  const double length = glm::distance(segment.from, segment.to);
+  const glm::dvec3 along = (segment.to - segment.from) / length;
+  const auto isOff = [&](const glm::dvec3& point) {
+    return glm::length(glm::cross(along, point - segment.from)) > tolerance;
+  };
+  if (isOff(other.from) || isOff(other.to)) return glm::dvec2(0);
+  const double first = glm::dot(along, other.from - segment.from), last = glm::dot(along, other.to - segment.from);
+  return {std::max(std::min(first, last), 0.0), std::min(std::max(first, last), length)};
+}
+
+/// Whether two sides of pieces have a common part longer than the tolerance that no wall covers.
+bool haveOpenBorder(const Segment& side, const Segment& other, std::span<const Segment> walls, double tolerance) {
+  const glm::dvec2 common = overlap(side, other, tolerance);
+  double open = common.x;  // where the part begins that no wall visited so far covers
+  if (common.y - open <= 2 * tolerance) return false;
+  std::vector<std::pair<double, double>> covered;
+  for (const Segment& wall : walls)
+    if (const glm::dvec2 part = overlap(side, wall, tolerance); part.y > part.x) covered.emplace_back(part.x, part.y);
+  covered.emplace_back(common.y, common.y);
+  std::sort(covered.begin(), covered.end());
+  for (const auto& [first, last] : covered) {
+    if (std::min(first, common.y) - open > 2 * tolerance) return true;
+    open = std::max(open, last);
+  }
+  return false;
+}
+
 class SurfaceCutter {
  public:
   SurfaceCutter(const Surface& surface, const GridSize& grid, std::span<const std::vector<Slice>> slices,
-                double tolerance)
+                double tolerance, Regions regions)
       : surface_(surface), grid_(grid), slices_(slices), tolerance_(tolerance) {
     for (std::uint32_t t = 0; t < surface_.triangles.size(); ++t) {
       cut_.first.push_back(static_cast<std::uint32_t>(cut_.cuttings.size()));
@@ -172,7 +207,9 @@ class SurfaceCutter {
       cut(t);
     }
     cut_.first.push_back(static_cast<std::uint32_t>(cut_.cuttings.size()));
-    joinTexels();
+    parent_.resize(cut_.cuttings.size());
+    std::iota(parent_.begin(), parent_.end(), 0U);
+    regions == Regions::Connected ? joinOpenBorders() : joinTexels();
     findRegions();
   }
 
@@ -247,8 +284,6 @@ class SurfaceCutter {
   /// Joins the cuttings in the same texel and in adjacent texels that are on the same or on neighbouring triangles, far
   /// from all slices.
   void joinTexels() {
-    parent_.resize(cut_.cuttings.size());
-    std::iota(parent_.begin(), parent_.end(), 0U);
     std::vector<std::vector<std::uint32_t>> inTexel(static_cast<std::size_t>(grid_.columns) *
                                                     static_cast<std::size_t>(grid_.rows));
     for (std::uint32_t i = 0; i < cut_.cuttings.size(); ++i)
@@ -275,6 +310,50 @@ class SurfaceCutter {
       }
   }
 
+  void joinOpenBorders() {
+    const auto across = neighbours(surface_);
+    for (std::uint32_t t = 0; t < surface_.triangles.size(); ++t) {
+      if (cut_.isCut[t]) joinOpenBorders(t, t);
+      for (const std::uint32_t other : across[t]) {
+        if (other == noNeighbour || other < t) continue;
+        if (cut_.isCut[t] || cut_.isCut[other])
+          joinOpenBorders(t, other);
+        else
+          join(cut_.first[t], cut_.first[other]);
+      }
+    }
+  }
+
+  void joinOpenBorders(std::uint32_t triangle, std::uint32_t other) {
+    std::vector<Segment> walls;
+    for (const std::uint32_t t : {triangle, other})
+      for (const Slice& slice : slices_[t]) walls.push_back({placeOn(t, slice.from), placeOn(t, slice.to)});
+    const std::vector<std::pair<std::uint32_t, Segment>> sides = sidesOf(triangle), otherSides = sidesOf(other);
+    for (const auto& [a, side] : sides)
+      for (const auto& [b, otherSide] : otherSides)
+        if (rootOf(a) != rootOf(b) && haveOpenBorder(side, otherSide, walls, 2 * tolerance_)) join(a, b);
+  }
+
+  /// The sides of the cuttings of a triangle, longer than the tolerance, with the numbers of the cuttings.
+  std::vector<std::pair<std::uint32_t, Segment>> sidesOf(std::uint32_t triangle) const {
+    std::vector<std::pair<std::uint32_t, Segment>> sides;
+    const Piece whole = wholeTriangle(surface_.triangles[triangle].chart);
+    for (std::uint32_t c = cut_.first[triangle]; c < cut_.first[triangle + 1]; ++c) {
+      const Piece& piece = cut_.cuttings[c].piece ? *cut_.cuttings[c].piece : whole;
+      for (std::size_t i = 0; i < piece.size; ++i) {
+        const Segment side{placeOn(triangle, piece.corners[i].weight),
+                           placeOn(triangle, piece.corners[(i + 1) % piece.size].weight)};
+        if (glm::distance(side.from, side.to) > tolerance_) sides.emplace_back(c, side);
+      }
+    }
+    return sides;
+  }
+
+  glm::dvec3 placeOn(std::uint32_t triangle, const glm::dvec2& weights) const {
+    const auto& [a, b, c] = surface_.triangles[triangle].position;
+    return a + weights.x * (b - a) + weights.y * (c - a);
+  }
+
   const Surface& surface_;
   const GridSize& grid_;
   std::span<const std::vector<Slice>> slices_;  ///< one entry per triangle
@@ -288,8 +367,8 @@ class SurfaceCutter {
 }  // namespace
 
 CutSurface cutSurface(const Surface& surface, const GridSize& grid, std::span<const std::vector<Slice>> slices,
-                      double tolerance) {
-  return SurfaceCutter(surface, grid, slices, tolerance).take();
+                      double tolerance, Regions regions) {
+  return SurfaceCutter(surface, grid, slices, tolerance, regions).take();
 }
 
 std::uint32_t cuttingAt(const CutSurface& cut, const Surface& surface, const GridSize& grid, std::uint32_t triangle,

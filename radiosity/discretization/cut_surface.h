@@ -1,5 +1,4 @@
-/// Cuts the triangles of a surface along their slices (triangle_slices.h) into pieces, and joins those that no slice
-/// comes near to regions.
+/// Cuts the triangles of a surface along their slices (triangle_slices.h) into pieces, and joins pieces to regions.
 #pragma once
 
 #include <cstddef>
@@ -24,8 +23,17 @@ struct Cutting {
   double area = 0;
 };
 
-/// A surface cut by its slices. A cutting near a slice is a region of its own. The others are joined with those in the
-/// same and in adjacent texels, so that a large surface has few regions. A region is exposed or buried as a whole.
+/// Which cuttings form a region.
+enum class Regions {
+  /// A cutting near a slice is a region of its own. The others are joined with those in the same and in adjacent
+  /// texels, so that a large surface has few regions.
+  FarFromSlices,
+  /// Cuttings of one triangle or of neighbours are joined if they share a border that slices do not cover completely:
+  /// the parts into which slices separate the surface. For grids of one texel.
+  Connected
+};
+
+/// A surface cut by its slices. A region is exposed or buried as a whole.
 struct CutSurface {
   std::vector<Cutting> cuttings;                    ///< by triangle
   std::vector<std::uint32_t> first;                 ///< first cutting of each triangle; one more at the end
@@ -35,7 +43,7 @@ struct CutSurface {
 
 /// `slices` has one entry per triangle of the surface. `tolerance` is a length far above the rounding errors of slices.
 CutSurface cutSurface(const Surface& surface, const GridSize& grid, std::span<const std::vector<Slice>> slices,
-                      double tolerance);
+                      double tolerance, Regions regions = Regions::FarFromSlices);
 
 /// The cutting that contains a point of a triangle; the triangle's first one if rounding puts the point in none.
 std::uint32_t cuttingAt(const CutSurface& cut, const Surface& surface, const GridSize& grid, std::uint32_t triangle,

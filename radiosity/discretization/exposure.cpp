@@ -1,11 +1,14 @@
 #include "radiosity/discretization/exposure.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <span>
+#include <string>
 #include <utility>
 
 #include "radiosity/discretization/cut_surface.h"
@@ -15,6 +18,7 @@
 #include "radiosity/discretization/triangle_slices.h"
 #include "radiosity/scene/contacts.h"
 #include "radiosity/scene/ray_tree.h"
+#include "raster/base/cross.h"
 #include "raster/base/parallel.h"
 
 namespace hemitex::radiosity {
@@ -95,23 +99,48 @@ glm::dmat3 viewAxes(const Triangle& triangle) {
   return {x, glm::cross(n, x), n};
 }
 
+/// The slices of each triangle of a surface.
+using SlicesOfSurface = std::span<const std::vector<Slice>>;
+
+std::vector<SlicesOfSurface> slicesOfSurfaces(const Scene& scene, const SceneSlices& slices) {
+  std::vector<SlicesOfSurface> result;
+  std::size_t first = 0;
+  for (const Surface& surface : scene.surfaces) {
+    result.push_back(SlicesOfSurface(slices.ofTriangle).subspan(first, surface.triangles.size()));
+    first += surface.triangles.size();
+  }
+  return result;
+}
+
 /// Finds the buried regions.
 class BuriedRegions {
  public:
-  BuriedRegions(const Scene& scene, std::span<const GridSize> sizes, const SceneSlices& slices, const RayTree& rays)
+  BuriedRegions(const Scene& scene, std::span<const GridSize> sizes, const SceneSlices& slices, const RayTree& rays,
+                Regions regions = Regions::FarFromSlices)
       : scene_(scene),
         sizes_(sizes),
         cut_(scene.surfaces.size()),
         regionOf_(scene.surfaces.size()),
         rays_(rays),
         isInside_(scene.surfaces.size()) {
-    cutSurfaces(slices);
+    cutSurfaces(slices, regions);
     findInside();
     std::vector<std::optional<Seen>> seen(regions_.size());
     raster::parallelFor(regions_.size(), [&](std::size_t r) { seen[r] = seenFrom(regions_[r]); });
     for (std::size_t r = 0; r < regions_.size(); ++r) regions_[r].isBuried = seen[r].has_value();
     settle(seen);
   }
+
+  /// The exposed regions of a surface that slices cut.
+  std::vector<std::vector<std::uint32_t>> exposedRegions(std::uint32_t surface) const {
+    std::vector<std::vector<std::uint32_t>> exposed;
+    for (const Region& region : regions_)
+      if (region.surface == surface && !region.isBuried) exposed.push_back(region.cuttings);
+    return exposed;
+  }
+
+  /// The cuttings of a surface; null if no slice cuts it.
+  const CutSurface* cutOf(std::uint32_t surface) const { return cut_[surface] ? &*cut_[surface] : nullptr; }
 
   Exposure exposureOf(std::uint32_t surface) const {
     if (!cut_[surface]) return {.isBuried = isInside_[surface] != 0};
@@ -133,14 +162,13 @@ class BuriedRegions {
   }
 
  private:
-  void cutSurfaces(const SceneSlices& slices) {
-    std::vector<std::size_t> first{0};
-    for (const Surface& surface : scene_.surfaces) first.push_back(first.back() + surface.triangles.size());
+  void cutSurfaces(const SceneSlices& slices, Regions regions) {
+    const std::vector<SlicesOfSurface> ofSurface = slicesOfSurfaces(scene_, slices);
     raster::parallelFor(scene_.surfaces.size(), [&](std::size_t s) {
-      const auto own = std::span(slices.ofTriangle).subspan(first[s], first[s + 1] - first[s]);
+      const SlicesOfSurface own = ofSurface[s];
       if (!slices.isTouching[s] && std::all_of(own.begin(), own.end(), [](const auto& some) { return some.empty(); }))
         return;
-      cut_[s] = cutSurface(scene_.surfaces[s], sizes_[s], own, outlineTolerance(scene_));
+      cut_[s] = cutSurface(scene_.surfaces[s], sizes_[s], own, outlineTolerance(scene_), regions);
     });
     for (std::uint32_t s = 0; s < cut_.size(); ++s) {
       if (!cut_[s]) continue;
@@ -301,6 +329,155 @@ class BuriedRegions {
   std::vector<Region> regions_;
 };
 
+constexpr GridSize oneTexel = {};
+
+/// The barycentric weights of the corners of a piece.
+std::vector<glm::dvec2> cornersOf(const Piece& piece) {
+  std::vector<glm::dvec2> corners;
+  for (std::size_t k = 0; k < piece.size; ++k) corners.push_back(piece.corners[k].weight);
+  return corners;
+}
+
+/// The number of the first triangle of the connected part that contains each triangle of a surface.
+std::vector<std::uint32_t> connectedTriangles(const Surface& surface) {
+  const std::vector<std::vector<Slice>> noSlices(surface.triangles.size());
+  std::vector<std::uint32_t> part(surface.triangles.size());
+  for (const std::vector<std::uint32_t>& region : cutSurface(surface, oneTexel, noSlices, 0, Regions::Connected).regions)
+    for (const std::uint32_t triangle : region) part[triangle] = *std::min_element(region.begin(), region.end());
+  return part;
+}
+
+/// The exposed regions that become surfaces of their own: of each connected part all large ones but the largest.
+std::vector<std::vector<std::uint32_t>> regionsBehindWalls(const Surface& surface, const CutSurface& cut,
+                                                           std::vector<std::vector<std::uint32_t>> exposed) {
+  constexpr double minShare = 1.0 / 4096;
+  const double smallest = minShare * area(surface);
+  const auto areaOf = [&](const std::vector<std::uint32_t>& region) {
+    double sum = 0;
+    for (const std::uint32_t c : region) sum += cut.cuttings[c].area;
+    return sum;
+  };
+  std::erase_if(exposed, [&](const auto& region) { return areaOf(region) < smallest; });
+  if (exposed.size() < 2) return {};
+  const std::vector<std::uint32_t> connected = connectedTriangles(surface);
+  const auto partOf = [&](const auto& region) { return connected[cut.cuttings[region.front()].triangle]; };
+  std::map<std::uint32_t, std::size_t> largest;  // by connected part
+  for (std::size_t i = 0; i < exposed.size(); ++i) {
+    const auto [found, isNew] = largest.try_emplace(partOf(exposed[i]), i);
+    // Not by rounding alone, so that equal halves keep their order.
+    if (!isNew && areaOf(exposed[i]) > (1 + 1e-6) * areaOf(exposed[found->second])) found->second = i;
+  }
+  std::vector<std::vector<std::uint32_t>> behind;
+  for (std::size_t i = 0; i < exposed.size(); ++i)
+    if (largest.at(partOf(exposed[i])) != i) behind.push_back(std::move(exposed[i]));
+  return behind;
+}
+
+/// The parts that a surface is separated into: 0, and one per region behind a wall.
+class SeparatedSurface {
+ public:
+  SeparatedSurface(const Surface& surface, const CutSurface& cut, const std::vector<std::vector<std::uint32_t>>& exposed,
+                   const std::vector<std::vector<std::uint32_t>>& behind)
+      : surface_(surface), cut_(cut), partOf_(cut.cuttings.size()), parts_(behind.size() + 1) {
+    for (const std::vector<std::uint32_t>& region : exposed)
+      for (const std::uint32_t c : region) partOf_[c] = 0;
+    for (std::size_t part = 0; part < behind.size(); ++part)
+      for (const std::uint32_t c : behind[part]) partOf_[c] = part + 1;
+    for (std::uint32_t t = 0; t < surface.triangles.size(); ++t) separate(t);
+    std::erase_if(parts_, [](const auto& part) { return part.empty(); });
+  }
+
+  std::vector<std::vector<Triangle>> take() { return std::move(parts_); }
+
+ private:
+  void separate(std::uint32_t triangle) {
+    std::set<std::size_t> parts;
+    for (std::uint32_t c = cut_.first[triangle]; c < cut_.first[triangle + 1]; ++c)
+      if (partOf_[c]) parts.insert(*partOf_[c]);
+    if (parts.size() < 2)
+      return parts_[parts.empty() ? 0 : *parts.begin()].push_back(surface_.triangles[triangle]);
+    for (std::uint32_t c = cut_.first[triangle]; c < cut_.first[triangle + 1]; ++c)
+      partOf_[c] ? append(triangle, *cut_.cuttings[c].piece, *partOf_[c]) : appendBuried(triangle, cut_.cuttings[c]);
+  }
+
+  void append(std::uint32_t triangle, const Piece& piece, std::size_t part) {
+    const std::vector<Triangle> triangles = trianglesOf(surface_.triangles[triangle], cornersOf(piece));
+    parts_[part].insert(parts_[part].end(), triangles.begin(), triangles.end());
+  }
+
+  /// A buried piece belongs to the part beside it. Between two parts each gets a half, so that a picture that shows
+  /// the border of the wall by rounding shows light of the same side.
+  void appendBuried(std::uint32_t triangle, const Cutting& cutting) {
+    const Piece& piece = *cutting.piece;
+    const auto corner = [&](std::size_t i) { return piece.corners[i % piece.size].weight; };
+    const auto middleOf = [&](std::size_t i) { return (corner(i) + corner(i + 1)) / 2.0; };
+    const auto partBeside = [&](std::size_t i) {
+      constexpr double step = 1e-3;  // beyond the side, in distances from the centre
+      return partAt(triangle, middleOf(i) + step * (middleOf(i) - cutting.centre));
+    };
+    std::optional<std::size_t> side;  // the first one with a part beside it
+    for (std::size_t i = 0; i < piece.size; ++i) {
+      const std::optional<std::size_t> part = partBeside(i);
+      if (!part) continue;
+      if (!side) side = i;
+      const std::size_t first = *partBeside(*side);
+      if (first == *part) continue;
+      // The line in the middle between both sides.
+      const glm::dvec2 from = (corner(*side) + corner(i + 1)) / 2.0,
+                       along = (corner(*side + 1) + corner(i)) / 2.0 - from;
+      std::array<double, 12> distances{};
+      for (std::size_t k = 0; k < piece.size; ++k) distances[k] = raster::cross(along, corner(k) - from);
+      const Halves halves = split(piece, distances);
+      const bool isBelow = raster::cross(along, middleOf(*side) - from) < 0;
+      append(triangle, isBelow ? halves.below : halves.above, first);
+      return append(triangle, isBelow ? halves.above : halves.below, *part);
+    }
+    append(triangle, piece, side ? *partBeside(*side) : 0);
+  }
+
+  /// The part of an exposed piece at a point of a triangle.
+  std::optional<std::size_t> partAt(std::uint32_t triangle, const glm::dvec2& weights) const {
+    if (weights.x < 0 || weights.y < 0 || weights.x + weights.y > 1) return std::nullopt;
+    return partOf_[cuttingAt(cut_, surface_, oneTexel, triangle, weights)];
+  }
+
+  const Surface& surface_;
+  const CutSurface& cut_;
+  std::vector<std::optional<std::size_t>> partOf_;  ///< of each cutting; none if it is buried
+  std::vector<std::vector<Triangle>> parts_;
+};
+
+/// Replaces surfaces by parts; no parts mean that a surface stays.
+void replaceByParts(Scene& scene, std::vector<std::vector<std::vector<Triangle>>> partsOf) {
+  std::set<std::string> names;
+  std::uint32_t curvedParts = 0;
+  for (const Surface& surface : scene.surfaces) {
+    names.insert(surface.name);
+    curvedParts = std::max(curvedParts, surface.curvedPart ? *surface.curvedPart + 1 : 0);
+  }
+  std::vector<Surface> surfaces;
+  std::vector<int> number;  // of each surface after it
+  for (std::size_t s = 0; s < scene.surfaces.size(); ++s) {
+    number.push_back(static_cast<int>(surfaces.size()));
+    Surface whole = std::move(scene.surfaces[s]);
+    if (partsOf[s].size() < 2) {
+      surfaces.push_back(std::move(whole));
+      continue;
+    }
+    for (std::size_t part = 0; part < partsOf[s].size(); ++part) {
+      Surface one = whole;
+      if (part > 0 || whole.name == whole.family)
+        for (std::size_t n = 1; !names.insert(one.name = whole.family + '#' + std::to_string(n)).second;) ++n;
+      if (part > 0 && whole.curvedPart) one.curvedPart = curvedParts++;
+      one.triangles = std::move(partsOf[s][part]);
+      surfaces.push_back(std::move(one));
+    }
+  }
+  for (Surface& surface : surfaces)
+    if (surface.twin) surface.twin = number[static_cast<std::size_t>(*surface.twin)];
+  scene.surfaces = std::move(surfaces);
+}
+
 }  // namespace
 
 std::vector<Exposure> findExposure(const Scene& scene, std::span<const GridSize> sizes) {
@@ -313,6 +490,24 @@ std::vector<Exposure> findExposure(const Scene& scene, std::span<const GridSize>
   return exposure;
 }
 
+Scene separatedAtWalls(Scene scene) {
+  if (!hasBacks(scene)) return scene;
+  const RayTree rays(scene);
+  const SceneSlices slices = triangleSlices(scene, rays);
+  const std::vector<GridSize> sizes(scene.surfaces.size());
+  const BuriedRegions regions(scene, sizes, slices, rays, Regions::Connected);
+  std::vector<std::vector<std::vector<Triangle>>> partsOf(scene.surfaces.size());
+  raster::parallelFor(partsOf.size(), [&](std::size_t s) {
+    const CutSurface* const cut = regions.cutOf(static_cast<std::uint32_t>(s));
+    if (cut == nullptr || scene.surfaces[s].twin) return;
+    const auto exposed = regions.exposedRegions(static_cast<std::uint32_t>(s));
+    const auto behind = regionsBehindWalls(scene.surfaces[s], *cut, exposed);
+    if (!behind.empty()) partsOf[s] = SeparatedSurface(scene.surfaces[s], *cut, exposed, behind).take();
+  });
+  replaceByParts(scene, std::move(partsOf));
+  return scene;
+}
+
 Scene withoutBuried(Scene scene) {
   const std::vector<Exposure> exposure = findExposure(scene, std::vector<GridSize>(scene.surfaces.size(), {1, 1}));
   for (std::size_t s = 0; s < exposure.size(); ++s) {
@@ -321,9 +516,7 @@ Scene withoutBuried(Scene scene) {
     if (exposure[s].cutTexels.empty()) continue;
     std::vector<Triangle> left;
     for (const TexelPiece& exposed : exposure[s].cutTexels.front().exposed) {
-      std::vector<glm::dvec2> corners;
-      for (std::size_t k = 0; k < exposed.piece.size; ++k) corners.push_back(exposed.piece.corners[k].weight);
-      const std::vector<Triangle> parts = trianglesOf(triangles[exposed.triangle], corners);
+      const std::vector<Triangle> parts = trianglesOf(triangles[exposed.triangle], cornersOf(exposed.piece));
       left.insert(left.end(), parts.begin(), parts.end());
     }
     triangles = std::move(left);

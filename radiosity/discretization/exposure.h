@@ -29,6 +29,13 @@ struct Exposure {
 /// two-sided no backs are visible, so that all are exposed.
 std::vector<Exposure> findExposure(const Scene& scene, std::span<const GridSize> sizes);
 
+/// The scene with its surfaces separated where solids or sheets stand on them from border to border. A connected part of
+/// a surface whose exposed pieces slices separate, such as the floor of two rooms, becomes several surfaces: `floor#1`,
+/// `floor#2`, ... with one family and the same chart. So no texel, filter or merged sliver has both sides of a wall. The
+/// largest exposed part is the first. What is buried between two parts is halved. A part of less than 1/4096 of the
+/// surface is not separated, nor are two-sided surfaces.
+Scene separatedAtWalls(Scene scene);
+
 /// The scene without what is inside solids: triangles are cut along outlines, and surfaces that lie completely inside
 /// are left out. For surfaces of one element, whose index maps cannot tell what is inside.
 Scene withoutBuried(Scene scene);

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <string>
 #include <vector>
 
 #include "radiosity/geometry/mesh_charts.h"
 #include "radiosity/geometry/rectangle_packing.h"
+#include "radiosity/scene/surface_names.h"
 #include "raster/base/input_error.h"
 #include "raster/base/memory_budget.h"
 
@@ -108,6 +110,27 @@ bool fit(const Scene& scene, const DiscretizationSettings& settings, int pages, 
   return packRectangles(sizes, side).pages.size() <= static_cast<std::size_t>(pages);
 }
 
+/// The number of surfaces without those that walls separate from another (see separatedAtWalls): a part of one polygon
+/// of the same family, which faces the same way, belongs to an earlier surface.
+std::size_t countOfWholes(const Scene& scene) {
+  const Families families = familiesOf(scene);
+  std::size_t count = 0;
+  for (const std::vector<std::uint32_t>& surfaces : families.surfaces) {
+    std::multimap<std::uint32_t, glm::dvec3> normals;  // by polygon, of earlier surfaces
+    for (const std::uint32_t s : surfaces) {
+      const std::vector<Triangle>& triangles = scene.surfaces[s].triangles;
+      const auto isKnown = [&](const Triangle& triangle) {
+        const auto [begin, end] = normals.equal_range(triangle.polygon);
+        return std::any_of(begin, end, [&](const auto& known) { return areParallel(known.second, normal(triangle)); });
+      };
+      if (surfaces.size() == 1 || std::none_of(triangles.begin(), triangles.end(), isKnown)) ++count;
+      if (surfaces.size() > 1)
+        for (const Triangle& triangle : triangles) normals.emplace(triangle.polygon, normal(triangle));
+    }
+  }
+  return count;
+}
+
 }  // namespace
 
 DiscretizationSettings followingScene(const Scene& scene, DiscretizationSettings settings) {
@@ -117,7 +140,7 @@ DiscretizationSettings followingScene(const Scene& scene, DiscretizationSettings
   double sum = 0;
   for (const Surface& surface : scene.surfaces)
     for (const Triangle& triangle : surface.triangles) sum += area(triangle);
-  const double elements = std::min(elementsPerSurface * static_cast<double>(scene.surfaces.size()), maxElements);
+  const double elements = std::min(elementsPerSurface * static_cast<double>(countOfWholes(scene)), maxElements);
   settings.texelSize = std::sqrt(sum / elements);
   settings.powersOfTwo = true;
   settings.maxTexels = maxTexels;

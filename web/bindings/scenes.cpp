@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "radiosity/discretization/discretize.h"
+#include "radiosity/discretization/exposure.h"
 #include "radiosity/meshes/length_unit.h"
 #include "radiosity/pictures/default_camera.h"
 #include "radiosity/scene/load_scene.h"
@@ -40,7 +41,7 @@ std::shared_ptr<SceneHandle> loadScene(const Value& files, const std::string& ma
     radiosity::Scene loaded = radiosity::loadScene(file, {.sides = radiosity::Sides::TwoOfSheets});
     const double metres = radiosity::statedMetresPerUnit(file, loaded.warnings).value_or(1);
     loaded.squareMetres = metres * metres;
-    const auto scene = std::make_shared<const radiosity::Scene>(std::move(loaded));
+    const auto scene = std::make_shared<const radiosity::Scene>(radiosity::separatedAtWalls(std::move(loaded)));
     std::filesystem::path view = file;
     view.replace_extension(".view.json");
     const Json camera =
@@ -52,7 +53,10 @@ Value sceneInfo(const SceneHandle& handle) {
   const radiosity::Scene& scene = *handle.scene;
   Json surfaces = Json::array();
   for (const radiosity::Surface& surface : scene.surfaces) surfaces.push_back(describe(scene, surface));
-  return toValue({{"surfaces", surfaces}, {"camera", handle.camera}, {"extent", scene.extent}, {"square_metres", scene.squareMetres}});
+  return toValue({{"surfaces", surfaces},
+                  {"camera", handle.camera},
+                  {"extent", scene.extent},
+                  {"square_metres", scene.squareMetres}});
 }
 
 std::shared_ptr<ElementsHandle> discretize(const SceneHandle& handle, const Value& given) {

@@ -716,3 +716,59 @@ TEST_CASE("cutTexels subtracts many solids that stand on one texel", "[exposure]
   const Discretization discretization = discretize(scene, {.texels = 1, .patch = 1});
   CHECK(discretization.elements[0].area == Approx(floorArea - buried).epsilon(1e-9));
 }
+
+TEST_CASE("separatedAtWalls makes one surface per side of a wall that reaches from border to border", "[exposure]") {
+  const bool isSheet = GENERATE(false, true);
+  const double thickness = isSheet ? 0 : 0.08;
+  Surfaces wall = box("wall", {1.97, 0, 0}, {0.08, 3, 2});
+  if (isSheet) wall = Surfaces(1, tests::parallelogram("wall", {1.97, 0, 0}, {0, 3, 0}, {0, 0, 2}));
+  const Scene whole = tests::sceneOf(joined({room(), wall, box("leg", {3, 1, 0}, {0.1, 0.1, 0.7})}));
+  const Scene scene = separatedAtWalls(whole);
+  CHECK(scene.surfaces.size() == whole.surfaces.size() + 4);
+  const double left = 1.97, right = 4 - 1.97 - thickness;
+  // The largest part comes first: the left side of a thick wall, the right side of a sheet at x = 1.97.
+  const std::size_t leftPart = isSheet ? 2 : 1;
+  const auto nameOf = [](const std::string& family, std::size_t part) { return family + "#" + std::to_string(part); };
+  for (const int texels : {1, 3, 16}) {
+    const Discretization discretization = discretize(scene, {.texels = texels});
+    const auto areaOf = [&](const std::string& name) { return exposedArea(discretization, numberOf(scene, name)); };
+    for (const auto& [family, side] : {std::pair("room0", 3.0), {"room1", 3.0}, {"room4", 2.0}, {"room5", 2.0}}) {
+      INFO(family << ", " << texels << " texels");
+      const double leg = family == std::string("room0") ? 0.01 : 0;
+      CHECK(areaOf(nameOf(family, leftPart)) == Approx(side * left));
+      CHECK(areaOf(nameOf(family, 3 - leftPart)) == Approx(side * right - leg));
+    }
+    CHECK(areaOf("room2") == Approx(6));
+    for (const Element& element : discretization.elements) {
+      const Surface& surface = scene.surfaces[element.surface];
+      if (surface.name == nameOf(surface.family, leftPart))
+        CHECK(elementCentre(scene, discretization, std::uint32_t(&element - discretization.elements.data()))
+                  .position.x < left);
+    }
+  }
+}
+
+TEST_CASE("separatedAtWalls keeps surfaces that objects do not divide, and the area of those that they do",
+          "[exposure]") {
+  const auto areaOfAll = [](const Scene& scene) {
+    double sum = 0;
+    for (const Surface& surface : scene.surfaces) sum += tests::totalArea(surface);
+    return sum;
+  };
+  // A wall with an end inside the room, one that ends below the ceiling, and a frame around a part of the floor.
+  const Scene open = tests::sceneOf(joined({room(), box("wall", {1.97, 0, 0}, {0.08, 2.9, 1.9})}));
+  CHECK(separatedAtWalls(open).surfaces.size() == open.surfaces.size());
+  const Scene low = tests::sceneOf(joined({room(), box("wall", {1.97, 0, 0}, {0.08, 3, 1.9})}));
+  CHECK(separatedAtWalls(low).surfaces.size() == low.surfaces.size() + 1);
+  const Scene framed = tests::sceneOf(
+      joined({room(), box("a", {1, 1, 0}, {1, 0.1, 1}), box("b", {1, 1.9, 0}, {1, 0.1, 1}),
+              box("c", {1, 1.1, 0}, {0.1, 0.8, 1}), box("d", {1.9, 1.1, 0}, {0.1, 0.8, 1})}));
+  const Scene separated = separatedAtWalls(framed);
+  CHECK(separated.surfaces.size() == framed.surfaces.size() + 1);
+  CHECK(exposedArea(discretize(separated, {.texels = 5}), numberOf(separated, "room0#2")) == Approx(0.8 * 0.8));
+  CHECK(areaOfAll(separated) == Approx(areaOfAll(framed)));
+  const Scene rotated = tests::sceneOf(joined(
+      {room(), transformed(box("wall", {1.97, -3, 0}, {0.08, 9, 2}), aboutZ(12.0 / 13, -5.0 / 13), {2, 1.4, 0})}));
+  CHECK(areaOfAll(separatedAtWalls(rotated)) == Approx(areaOfAll(rotated)));
+  CHECK(separatedAtWalls(rotated).surfaces.size() == rotated.surfaces.size() + 4);
+}
