@@ -228,7 +228,8 @@ OutsideFlux outsideFlux(const Scene& scene, const Discretization& discretization
                         raster::ItemBufferRenderer& renderer, const OutsideViews& drawn) {
   if (!(brightest(scene.outside) > 0)) return {};
   requireEqualSuns(scene);
-  OutsideFlux flux{BandTable(discretization.elements.size(), bandCount(scene)), Bands(bandCount(scene))};
+  OutsideFlux flux{.received = BandTable(discretization.elements.size(), bandCount(scene)),
+                   .onBacks = Bands(bandCount(scene))};
   const ParallelViews views = viewsFor(scene, discretization, drawn.pixelsPerElement);
   const double pixelArea = views.pixelSide() * views.pixelSide();
   const RayTree rays(scene);
@@ -243,8 +244,7 @@ OutsideFlux outsideFlux(const Scene& scene, const Discretization& discretization
     return counts;
   };
   const int skyDirections = scene.outside.sky == glm::dvec3(0) ? minDirections : drawn.directions;
-  flux.counted =
-      countedShares(discretization, add(skyBeams(scene, skyDirections)), skyDirections / (4 * pixelArea));
+  flux.counted = countedShares(discretization, add(skyBeams(scene, skyDirections)), skyDirections / (4 * pixelArea));
   for (const Sun& sun : scene.outside.suns)
     add(sunBeams(scene, sun, std::max(drawn.directions / directionsPerSunView, 1)));
   lightCentres(CentreLight(scene, discretization, rays, std::max(drawn.directions / directionsPerRay, 1)),
