@@ -40,7 +40,6 @@ Solution solvedByDefault(const Scene& scene, Discretization& discretization) {
                 .patches = discretization.patches,
                 .rowOf = drawn.rowOf(),
                 .split = drawn.splits(),
-                .settings = {.residual = defaultResidual(scene)},
                 .outside = drawn.outsideFlux()});
 }
 
