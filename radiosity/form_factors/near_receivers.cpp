@@ -3,33 +3,36 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <numbers>
 #include <tuple>
 
-#include "radiosity/discretization/patch_points.h"
+#include "raster/base/parallel.h"
 
 namespace hemitex::radiosity {
 namespace {
 
-/// Resolution of the hemicubes over small elements.
-constexpr int nearResolution = 64;
 /// Small elements have at most this share of the mean area of elements.
 constexpr double smallShare = 0.5;
-/// Maximum number of small elements, and of the triangles that all their hemicubes draw.
-constexpr std::size_t maxSmall = 1 << 13, maxDrawn = std::size_t{1} << 26;
-/// An element is tested if its share in the row of the patch, which may be too small, gives at least this form factor
-/// from the element to the patch.
+/// Maximum number of small elements.
+constexpr std::size_t maxSmall = 1 << 13;
+/// A small element is tested if its share in the row of the patch, which may be too small, gives at least this form
+/// factor from the element to the patch.
 constexpr double testedShare = nearShare / 16;
+/// An element is near a lamp up to this number of sizes of the part that a point shoots for.
+constexpr double nearSizes = 2;
+/// Rays between an element and a patch.
+constexpr std::size_t raysOfLamp = 64, raysOfSmall = 32;
 
-std::vector<bool> smallElements(const Scene& scene, const std::vector<Element>& elements) {
+/// The small elements; only the smallest ones if there are more than `maxSmall`.
+std::vector<bool> smallElements(const std::vector<Element>& elements) {
   double area = 0;
   for (const Element& element : elements) area += element.area;
   const double limit = smallShare * area / static_cast<double>(elements.size());
   std::vector<std::uint32_t> small;
   for (std::uint32_t e = 0; e < elements.size(); ++e)
     if (elements[e].area <= limit) small.push_back(e);
-  const std::size_t count =
-      std::min({small.size(), maxSmall, maxDrawn / std::max<std::size_t>(1, placedTriangleCount(scene))});
+  const std::size_t count = std::min(small.size(), maxSmall);
   std::nth_element(small.begin(), small.begin() + static_cast<std::ptrdiff_t>(count), small.end(),
                    [&](std::uint32_t a, std::uint32_t b) {
                      return std::tuple(elements[a].area, a) < std::tuple(elements[b].area, b);
@@ -39,56 +42,103 @@ std::vector<bool> smallElements(const Scene& scene, const std::vector<Element>& 
   return isSmall;
 }
 
+std::vector<Bounds> boundsOfSurfaces(const Scene& scene) {
+  std::vector<Bounds> bounds(scene.surfaces.size());
+  for (std::size_t s = 0; s < bounds.size(); ++s)
+    for (const Triangle& triangle : scene.surfaces[s].triangles) bounds[s].include(triangle);
+  return bounds;
+}
+
+double distanceTo(const std::vector<SurfacePart>& shapes, const Bounds& bounds) {
+  double smallest = std::numeric_limits<double>::infinity();
+  for (const SurfacePart& shape : shapes) smallest = std::min(smallest, distanceBetween(shape.bounds, bounds));
+  return smallest;
+}
+
+/// A row with other shares for some entries, below 0 for those that stay. What remains for these is known well only
+/// where it is not the small rest of all: it is from half to twice of what was drawn.
+FormFactorRow replaced(const FormFactorRow& row, const std::vector<double>& others) {
+  const double whole = static_cast<double>(wholeShare);
+  double sum = 0, drawn = static_cast<double>(row.background) + static_cast<double>(row.back);
+  for (std::size_t i = 0; i < others.size(); ++i)
+    (others[i] < 0 ? drawn : sum) += others[i] < 0 ? static_cast<double>(row.shares[i]) : others[i];
+  const double scale = drawn > 0 ? std::clamp((whole - sum) / drawn, 0.5, 2.0) : 1;
+  std::vector<double> shares;
+  for (std::size_t i = 0; i < others.size(); ++i)
+    shares.push_back(others[i] < 0 ? scale * static_cast<double>(row.shares[i]) : others[i]);
+  return closedRow(row.elements, shares, scale * static_cast<double>(row.background),
+                   scale * static_cast<double>(row.back));
+}
+
 }  // namespace
 
-double nearDistanceOf(const Patch& patch) { return 2 * std::sqrt(patch.area / (std::numbers::pi * nearShare)); }
-
-NearReceivers::NearReceivers(const Scene& scene, const Discretization& discretization, const IdLayout& layout,
-                             raster::ItemBufferRenderer& renderer)
+NearReceivers::NearReceivers(const Scene& scene, const Discretization& discretization)
     : scene_(scene),
       discretization_(discretization),
-      rows_(scene, discretization, layout, renderer, {.resolution = nearResolution}),
-      isSmall_(smallElements(scene, discretization.elements)) {}
+      materials_(scene, discretization),
+      isSmall_(smallElements(discretization.elements)),
+      ofSurfaces_(boundsOfSurfaces(scene)) {}
 
 std::optional<FormFactorRow> NearReceivers::corrected(const Patch& patch, const FormFactorRow& row) {
-  std::vector<double> shares(row.shares.begin(), row.shares.end());
-  bool isChanged = false;
-  for (std::size_t i = 0; i < shares.size(); ++i) {
-    const std::uint32_t element = row.elements[i];
-    const double area = discretization_.elements[element].area, ratio = patch.area / area;
-    if (!isSmall_[element] || area * patch.points * patch.points > patch.area) continue;
-    if (formFactor(row.shares[i]) * ratio < testedShare) continue;
-    const double factor = factorTo(patch, element);
-    if (factor < nearShare) continue;
-    shares[i] = factor / ratio * static_cast<double>(wholeShare);
-    isChanged = true;
-  }
-  known_.set(patch.number, isChanged ? NearRows::State::Corrected : NearRows::State::Drawn);
-  if (!isChanged) return std::nullopt;
-  return closedRow(row.elements, shares, static_cast<double>(row.background), static_cast<double>(row.back));
+  known_.set(patch.number, NearRows::State::Drawn);
+  const SurfacePart part = partOf(scene_, discretization_, patch);
+  if (!(part.area > 0)) return std::nullopt;
+  std::vector<SurfacePart> shapes;
+  for (const Instance& instance : scene_.instances) shapes.push_back(placed(part, instance));
+  const std::vector<Candidate> candidates = this->candidates(patch, row, shapes);
+  if (candidates.empty()) return std::nullopt;
+  if (!tree_) tree_.emplace(scene_);
+  std::vector<double> others(row.shares.size(), -1);
+  raster::parallelFor(candidates.size(), [&](std::size_t c) {
+    const auto& [entry, element, least] = candidates[c];
+    double area = 0;
+    const NearAccuracy accuracy{least * element->area, contactTolerance(scene_), least > 0 ? raysOfSmall : raysOfLamp};
+    for (const SurfacePart& shape : shapes) area += exchangeArea(*element, shape, *tree_, accuracy);
+    const double factor = area / element->area;
+    if (factor > 0 && factor >= least)
+      others[entry] =
+          factor * discretization_.elements[row.elements[entry]].area / part.area * static_cast<double>(wholeShare);
+  });
+  if (std::ranges::all_of(others, [](double share) { return share < 0; })) return std::nullopt;
+  known_.set(patch.number, NearRows::State::Corrected);
+  return replaced(row, others);
 }
 
-View NearReceivers::viewFrom(std::uint32_t element) {
-  const SurfacePoint centre = elementCentre(scene_, discretization_, element);
-  return rows_.viewFrom({.surface = discretization_.elements[element].surface,
-                         .point = centre,
-                         .up = upOf(Orientation::Turned, centre.normal, element, 0)});
+std::vector<NearReceivers::Candidate> NearReceivers::candidates(const Patch& patch, const FormFactorRow& row,
+                                                                const std::vector<SurfacePart>& shapes) {
+  std::vector<Candidate> result;
+  const double reach = isLamp(patch) ? nearSizes * shapes.front().size() / patch.points : -1;
+  for (std::size_t i = 0; i < row.elements.size(); ++i) {
+    const std::uint32_t number = row.elements[i];
+    const Element& element = discretization_.elements[number];
+    const bool isSmall = isSmall_[number] && element.area * patch.points * patch.points <= patch.area &&
+                         formFactor(row.shares[i]) * patch.area / element.area >= testedShare;
+    const bool mayBeNear = reach > 0 && distanceTo(shapes, ofSurfaces_[element.surface]) <= reach;
+    if ((!isSmall && !mayBeNear) || std::ranges::binary_search(patch.elements, number)) continue;
+    const SurfacePart& part = partOfElement(number);
+    if (!(part.area > 0)) continue;
+    const bool isNear = mayBeNear && distanceTo(shapes, part.bounds) <= reach;
+    if (isSmall || isNear) result.push_back({i, &part, isNear ? 0 : nearShare});
+  }
+  return result;
 }
 
-/// The form factor from an element to a patch.
-double NearReceivers::factorTo(const Patch& patch, std::uint32_t element) {
-  auto found = known_.ofElements.find(element);
-  if (found == known_.ofElements.end())
-    found = known_.ofElements.emplace(element, rows_.ofView(viewFrom(element))).first;
-  const FormFactorRow& row = found->second;
-  std::uint64_t share = 0;
-  auto at = row.elements.begin();
-  for (const std::uint32_t other : patch.elements) {
-    at = std::lower_bound(at, row.elements.end(), other);
-    if (at == row.elements.end()) break;
-    if (*at == other) share += row.shares[static_cast<std::size_t>(at - row.elements.begin())];
-  }
-  return formFactor(share);
+bool NearReceivers::isLamp(const Patch& patch) const {
+  return std::ranges::any_of(
+      patch.elements, [&](std::uint32_t element) { return !areZero(materials_.emission(patch.surface, element)); });
+}
+
+const SurfacePart& NearReceivers::partOfElement(std::uint32_t element) {
+  auto found = ofElements_.find(element);
+  if (found == ofElements_.end()) found = ofElements_.emplace(element, partOf(scene_, discretization_, element)).first;
+  return found->second;
+}
+
+/// F_ep is at most A_p / (pi d^2) at the distance d of the patch. Twice that, because patches may be up to 40 times as
+/// long as wide.
+double NearReceivers::distanceOf(const Patch& patch) {
+  return std::max(2 * std::sqrt(patch.area / (std::numbers::pi * nearShare)),
+                  (nearSizes + 1) * partOf(scene_, discretization_, patch).size());
 }
 
 }  // namespace hemitex::radiosity

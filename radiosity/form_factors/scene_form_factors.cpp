@@ -55,7 +55,7 @@ SceneFormFactors::SceneFormFactors(const Scene& scene, const Discretization& dis
     textures_ = softwareRenderer(makeDrawList(scene, discretization_, layout_));
   raster::ItemBufferRenderer& byTexture = textures_ ? *textures_ : *renderer_;
   splitter_.emplace(scene, discretization_, layout_, byTexture, settings.split);
-  near_.emplace(scene, discretization_, layout_, byTexture);
+  near_.emplace(scene, discretization_);
 }
 
 FormFactorRow SceneFormFactors::row(const Patch& patch) { return std::move(rows({&patch, 1}).front()); }

@@ -67,7 +67,7 @@ class SceneFormFactors {
   std::vector<FormFactorRow> rows(std::span<const Patch> patches);
   /// As `row`. Keeps a reference to this object.
   RowSource rowOf();
-  /// A row that was drawn for a patch, with the shares of small elements near it replaced (see NearReceivers); nothing
+  /// A row that was drawn for a patch, with the shares of elements near it replaced (see NearReceivers); nothing
   /// if there are none, or if no patch is to be split.
   std::optional<FormFactorRow> corrected(const Patch& patch, const FormFactorRow& drawn);
   /// Null if no patch is to be split.

@@ -5,6 +5,23 @@
 #include <numbers>
 
 namespace hemitex::radiosity {
+namespace {
+
+/// An angle from 0 to pi over its sine, both times the same length; 0 for the straight angle. Without the atan2 of a
+/// library, whose last bit is not the same everywhere.
+double angleOverSine(double sine, double cosine) {
+  if (!(sine > 0)) return cosine > 0 ? 1 / cosine : 0;
+  const double length = std::sqrt(sine * sine + cosine * cosine);
+  double tangent = cosine > 0 ? sine / (length + cosine) : (length - cosine) / sine;  // of half of the angle
+  double parts = 2;
+  for (; tangent > 0.2; parts *= 2) tangent /= 1 + std::sqrt(1 + tangent * tangent);
+  // The series of the arctangent; the next term is below 2^-53.
+  double sum = 0;
+  for (int power = 21; power > 0; power -= 2) sum = 1.0 / power - tangent * tangent * sum;
+  return parts * tangent * sum / sine;
+}
+
+}  // namespace
 
 ConvexPart inFrontOf(const std::array<glm::dvec3, 3>& triangle, const glm::dvec3& point, const glm::dvec3& normal) {
   std::array<double, 3> heights{};
@@ -33,8 +50,7 @@ double fromPoint(const glm::dvec3& point, const glm::dvec3& normal, const Convex
   for (std::size_t k = 0; k < polygon.count; ++k) {
     const glm::dvec3 a = polygon.corners[k] - point, b = polygon.corners[(k + 1) % polygon.count] - point;
     const glm::dvec3 product = glm::cross(b, a);
-    const double size = glm::length(product);
-    if (size > 0) sum += std::atan2(size, glm::dot(a, b)) / size * glm::dot(normal, product);
+    sum += angleOverSine(glm::length(product), glm::dot(a, b)) * glm::dot(normal, product);
   }
   return std::max(sum * 0.5 * std::numbers::inv_pi, 0.0);
 }

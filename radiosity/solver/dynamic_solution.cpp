@@ -140,7 +140,7 @@ class LightUpdate {
                 ChangedSurfaces(after.scene, numbers_.isCome)},
         kept_(kept),
         rows_{RowCache(rowCacheBytes / 2), RowCache(rowCacheBytes / 2)} {
-    carryNearRows();
+    areOthersSmall_ = areSmallOnesOther();
   }
 
   /// `outside` is the flux from outside after the edit, `mayLeave` the flux that may become stale.
@@ -226,40 +226,40 @@ class LightUpdate {
     return shares;
   }
 
-  /// Takes over the rows of small elements whose views are unchanged.
-  void carryNearRows() {
-    NearReceivers *before = before_.drawn.near(), *after = after_.drawn.near();
-    if (!before || !after) return;
-    for (std::size_t e = 0; e < numbers_.element.size(); ++e) {
-      const std::uint32_t number = numbers_.element[e];
-      if (number != gone_ && before->isSmall(static_cast<std::uint32_t>(e)) != after->isSmall(number))
-        areOthersSmall_ = true;
-    }
-    for (const auto& [element, row] : before->known().ofElements) {
-      const std::uint32_t number = numbers_.element[element];
-      if (number == gone_) continue;
-      const View view = after->viewFrom(number);
-      if (areSameViews(before->viewFrom(element), view) && windowsOf(change_, view).empty())
-        after->known().ofElements.emplace(number, renumbered(row));
-    }
+  /// Whether an element counts as small in one of the scenes alone.
+  bool areSmallOnesOther() const {
+    const NearReceivers *before = before_.drawn.near(), *after = after_.drawn.near();
+    if (!before || !after) return false;
+    for (std::uint32_t e = 0; e < numbers_.element.size(); ++e)
+      if (numbers_.element[e] != gone_ && before->isSmall(e) != after->isSmall(numbers_.element[e])) return true;
+    return false;
+  }
+
+  /// Whether a patch that stays emits light in one of the scenes alone.
+  bool isLampOnce(std::uint32_t patch) const {
+    const NearReceivers *before = before_.drawn.near(), *after = after_.drawn.near();
+    return before && after && numbers_.patch[patch] &&
+           before->isLamp(patchBefore(patch)) !=
+               after->isLamp(after_.discretization.patches.list[*numbers_.patch[patch]]);
   }
 
   /// Whether the row of a patch that stays may be corrected, before or after the edit.
   bool mayBeCorrected(std::uint32_t patch) {
     NearReceivers* before = before_.drawn.near();
+    if (isLampOnce(patch)) return true;
     if (!before || isSameGeometry() || !numbers_.patch[patch]) return false;
     if (areOthersSmall_) return true;
     const Patch& old = patchBefore(patch);
     if (before->known().of(patch) == NearRows::State::Unknown) before->corrected(old, drawnBefore(patch));
     if (before->known().of(patch) == NearRows::State::Corrected) return true;
     const glm::dvec3 centre = change_.rowsBefore.pointsOfPatch(old).front().point.position;
-    return std::min(change_.gone.distanceFrom(centre), change_.come.distanceFrom(centre)) < nearDistanceOf(old);
+    return std::min(change_.gone.distanceFrom(centre), change_.come.distanceFrom(centre)) < before->distanceOf(old);
   }
 
   /// Whether the row of a patch that shot nothing, or that is not corrected, is unchanged.
   bool isUnchanged(std::uint32_t patch, double share) const {
     NearReceivers* before = before_.drawn.near();
-    if (share > 0 || areOthersSmall_) return false;
+    if (share > 0 || areOthersSmall_ || isLampOnce(patch)) return false;
     return !before || isSameGeometry() || before->known().of(patch) == NearRows::State::Drawn;
   }
 
@@ -365,7 +365,7 @@ class LightUpdate {
   Renumbering numbers_;
   std::uint32_t gone_;  ///< the number of all removed elements
   SceneChange change_;
-  bool areOthersSmall_ = false;  ///< an element counts as small in one of the scenes alone
+  bool areOthersSmall_ = false;  ///< see areSmallOnesOther
   KeptRows& kept_;
   KeptRows rows_;
   ShotLight light_;

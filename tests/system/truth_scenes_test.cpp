@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <fstream>
 #include <string>
 #include <vector>
 
@@ -93,4 +94,35 @@ TEST_CASE("solve agrees with light tracing in scenes of many kinds", "[truth-sce
   const Solution solution = solvedByDefault(scene, discretization);
   CHECK(bandSum(solution.energy.lostToBacks) <= expected.lostToBacks * bandSum(solution.energy.emitted));
   compare(expected, scene, tests::readTruthTable(expected.path + ".truth.csv"), discretization, solution);
+}
+
+TEST_CASE("Elements within 10 cm of a lamp have its light to 1 %", "[truth-scenes]") {
+  const Scene scene = loadScene(scenes + "kitchen.obj", {.sides = Sides::TwoOfSheets});
+  Discretization discretization;
+  const Solution solution = solvedByDefault(scene, discretization);
+  const auto numberOf = [&](const std::string& name, std::uint32_t column, std::uint32_t row) {
+    const auto surface = std::ranges::find(scene.surfaces, name, &Surface::name);
+    const Grid& grid = discretization.grids[static_cast<std::size_t>(surface - scene.surfaces.begin())];
+    return grid.elementOfTexel[row * static_cast<std::uint32_t>(grid.columns) + column];
+  };
+  std::ifstream file(scenes + "kitchen.truth.csv");
+  std::string line, name;
+  std::getline(file, line);
+  std::getline(file, line);
+  REQUIRE(line == "surface,column,row,flux,error");
+  double difference = 0, all = 0;
+  while (std::getline(file, name, ',')) {
+    std::uint32_t column = 0, row = 0;
+    double traced = 0, tracingError = 0;
+    char comma = 0;
+    REQUIRE(file >> column >> comma >> row >> comma >> traced >> comma >> tracingError >> std::ws);
+    const std::uint32_t element = numberOf(name, column, row);
+    const double flux = discretization.elements[element].area * bandSum(solution.radiosity[element]);
+    CAPTURE(name, column, row, flux / traced);
+    CHECK(std::abs(flux - traced) <= 0.01 * traced + 4 * tracingError);
+    difference += std::abs(flux - traced);
+    all += traced;
+  }
+  CHECK(all > 0);
+  CHECK(difference <= 0.003 * all);
 }

@@ -1,6 +1,6 @@
 /// Writes the light of a scene, found by light tracing, as a table of its surfaces:
 /// `hemitex_truth SCENE.obj [--texels N | --texel-size LENGTH] [--paths N] [--points N] [--seed N] [--sky R,G,B]
-/// -o FILE.csv`.
+/// [--elements FILE.csv] -o FILE.csv`. The second table is that of its elements.
 #include <chrono>
 #include <cstdio>
 #include <fstream>
@@ -19,7 +19,7 @@ using namespace hemitex;
 namespace {
 
 struct Arguments {
-  std::string scene, output, command = "hemitex_truth";
+  std::string scene, output, elements, command = "hemitex_truth";
   radiosity::DiscretizationSettings grid;
   tests::BakeSettings bake;
   glm::dvec3 sky{0.0};
@@ -46,6 +46,8 @@ Arguments parsed(int argc, char** argv) {
     result.command += ' ' + value;
     if (name == "-o")
       result.output = value;
+    else if (name == "--elements")
+      result.elements = value;
     else if (name == "--texels")
       result.grid.texels = std::stoi(value);
     else if (name == "--texel-size")
@@ -98,6 +100,20 @@ void printErrors(const radiosity::Scene& scene, const radiosity::Discretization&
       largest);
 }
 
+/// The flux of each element and its standard error, bands summed.
+void writeElements(const std::string& path, const radiosity::Scene& scene,
+                   const radiosity::Discretization& discretization, const tests::BakedRadiosity& baked) {
+  std::ofstream file(path, std::ios::binary);
+  file << "surface,column,row,flux,error\n";
+  for (std::size_t e = 0; e < baked.flux.size(); ++e) {
+    const radiosity::Element& element = discretization.elements[e];
+    const auto columns = static_cast<std::uint32_t>(discretization.grids[element.surface].columns);
+    file << scene.surfaces[element.surface].name << ',' << element.texel % columns << ',' << element.texel / columns
+         << ',' << baked.flux[e].r + baked.flux[e].g + baked.flux[e].b << ','
+         << baked.fluxError[e].r + baked.fluxError[e].g + baked.fluxError[e].b << '\n';
+  }
+}
+
 void write(const Arguments& arguments) {
   const auto start = std::chrono::steady_clock::now();
   radiosity::Scene scene = radiosity::loadScene(arguments.scene, {.sides = radiosity::Sides::TwoOfSheets});
@@ -108,6 +124,7 @@ void write(const Arguments& arguments) {
   tests::writeTruthTable(file, arguments.command, scene, baked);
   file.close();
   if (!file) throw raster::InputError(arguments.output, 0, "cannot be written", "name a folder that exists");
+  if (!arguments.elements.empty()) writeElements(arguments.elements, scene, discretization, baked);
   printErrors(scene, discretization, baked);
   std::printf("%.3g s\n", std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
 }
@@ -121,7 +138,7 @@ int main(int argc, char** argv) {
     std::cerr
         << "hemitex_truth: " << error.what()
         << "\nusage: hemitex_truth SCENE.obj [--texels N | --texel-size LENGTH] [--paths N] [--points N] [--seed N] "
-           "[--sky R,G,B] -o FILE.csv\n";
+           "[--sky R,G,B] [--elements FILE.csv] -o FILE.csv\n";
     return 2;
   }
 }

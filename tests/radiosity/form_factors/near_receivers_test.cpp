@@ -3,6 +3,7 @@
 
 #include <catch2/catch.hpp>
 #include <numeric>
+#include <vector>
 
 #include "radiosity/discretization/discretize.h"
 #include "radiosity/form_factors/scene_form_factors.h"
@@ -34,15 +35,63 @@ double shareOf(const FormFactorRow& row, std::uint32_t element) {
   return 0;
 }
 
+/// The shares of the light of the surface `lamp` that elements receive.
+std::vector<double> sharesOfLamp(const Scene& scene, const Discretization& discretization) {
+  SceneFormFactors drawn(scene, discretization, layOut(discretization), {.resolution = 64});
+  std::vector<double> shares(discretization.elements.size());
+  double area = 0;
+  for (const Patch& patch : splitAll(discretization.patches, drawn.splits()).list) {
+    if (scene.surfaces[patch.surface].name != "lamp") continue;
+    const FormFactorRow row = drawn.row(patch);
+    area += patch.area;
+    for (std::size_t i = 0; i < row.elements.size(); ++i)
+      shares[row.elements[i]] += patch.area * formFactor(row.shares[i]);
+  }
+  for (double& share : shares) share /= area;
+  return shares;
+}
+
+/// The scene with light from the surface `lamp`.
+Scene lit(Scene scene) {
+  scene.materials.push_back(scene.materials.front());
+  scene.materials.back().emission = glm::dvec3(1);
+  for (Surface& surface : scene.surfaces)
+    if (surface.name == "lamp") surface.material = 1;
+  return scene;
+}
+
 }  // namespace
 
+TEST_CASE("NearReceivers gives elements beside a lamp their light down to contact", "[form-factors]") {
+  // A strip of 40 cm x 2 cm looks down on a board of 1 m x 40 cm at some height, and touches a wall with its long side.
+  const double height = GENERATE(0.002, 0.02, 0.1);
+  CAPTURE(height);
+  const Scene scene = lit(tests::sceneOf({tests::parallelogram("board", {0, 0, 0}, {1, 0, 0}, {0, 0.4, 0}),
+                                          tests::parallelogram("lamp", {0.3, 0, height}, {0, 0.02, 0}, {0.4, 0, 0}),
+                                          tests::parallelogram("wall", {0, 0, 0}, {0, 0, height}, {1, 0, 0})}));
+  const Discretization discretization =
+      discretize(scene, {.surfaceTexels = {{"board", {5, 4}}, {"lamp", {1, 4}}, {"wall", {1, 5}}}});
+  const std::vector<double> shares = sharesOfLamp(scene, discretization);
+  for (const std::uint32_t e : elementsOf(discretization.grids[0])) {
+    const double x = 0.2 * (discretization.elements[e].texel % 5), y = 0.1 * (discretization.elements[e].texel / 5);
+    const double exact = tests::parallelRectangles({{0.3, 0.7}, {0, 0.02}}, {{x, x + 0.2}, {y, y + 0.1}}, height);
+    CAPTURE(x, y);
+    if (exact > 0.01) CHECK(shares[e] == Approx(exact).epsilon(0.01));
+  }
+  for (const std::uint32_t e : elementsOf(discretization.grids[2])) {
+    const double x = 0.2 * discretization.elements[e].texel;
+    const double exact = tests::perpendicularRectangles({{0.3, 0.7}, {0, 0.02}}, {{x, x + 0.2}, {0, height}});
+    CAPTURE(x);
+    if (exact > 0.01) CHECK(shares[e] == Approx(exact).epsilon(0.01));
+  }
+}
+
 TEST_CASE("NearReceivers gives the form factor of a floor to a narrow strip at its border", "[form-factors]") {
-  // Howell C-14. The strip is a 100th of the floor, so that the hemicube over its centre has an error of 1 % by its
-  // pixels (64 along a side); the floor fills half of its view, and F varies by less along the strip than that.
+  // Howell C-14.
   constexpr double height = 0.01;
   const double exact = tests::perpendicularRectangles({{0, 1}, {0, 1}}, {{0, 1}, {0, height}});
   const Scene scene = floorAndStrip(height);
-  CHECK(shareOf(rowOfFloor(scene, true), 1) == Approx(exact).epsilon(0.02));
+  CHECK(shareOf(rowOfFloor(scene, true), 1) == Approx(exact).epsilon(0.005));
   // From the centre of the floor, half a metre away, much less of the strip is seen.
   CHECK(shareOf(rowOfFloor(scene, false), 1) < 0.5 * exact);
 }
