@@ -31,7 +31,7 @@ struct SolveOptions {
   std::uint32_t seed = 0;
   radiosity::IdSettings id;
   radiosity::SolverSettings solver;
-  std::optional<double> residual;  ///< of `solver`; see SolverSettings
+  std::optional<double> residual;  ///< of `solver`; see radiosity::defaultResidual
   std::optional<double> maxError;
   radiosity::Effort coarsest = radiosity::EffortLimits().coarsest;  ///< as given with maxError
   std::optional<radiosity::TextureFilter> filter;                   ///< see filterOf for the default

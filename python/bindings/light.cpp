@@ -84,7 +84,7 @@ Method methodOf(const Settings& settings, const Elements& elements, const py::ob
     method.light.drawing = drawingSettings(settings, {"rays"});
   radiosity::SolverSettings& solver = method.light.solver;
   solver.shots = settings.integer("shots", 0, std::numeric_limits<int>::max());
-  solver.residual = settings.number("residual", 1e-14, 1e300).value_or(solver.residual);
+  solver.residual = settings.number("residual", 1e-14, 1e300).value_or(radiosity::defaultResidual(*elements.scene));
   if (const auto bound = settings.number("max_error", 1e-6, 1)) setBound(method, *bound, settings, elements, camera);
   method.light.elements = elements.settings;
   return method;

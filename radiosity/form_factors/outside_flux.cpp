@@ -173,18 +173,6 @@ void lightCentres(const CentreLight& light, const Discretization& discretization
   });
 }
 
-/// See OutsideFlux::counted. `skies` are the pixels of elements in all views of the sky; an element whose area is that
-/// of `wholeSky` pixels per unit sees nothing else.
-std::vector<double> countedShares(const Discretization& discretization, const FormFactorRow& skies, double wholeSky) {
-  std::vector<double> counted(discretization.elements.size(), 1);
-  for (std::size_t i = 0; i < skies.elements.size(); ++i) {
-    const double pixels = wholeSky * discretization.elements[skies.elements[i]].area;
-    const double enclosed = std::max(1 - static_cast<double>(skies.shares[i]) / pixels, 0.0);
-    counted[skies.elements[i]] = std::max(enclosed * enclosed * enclosed * enclosed, outsideShare);
-  }
-  return counted;
-}
-
 /// Throws InputError if a sun lights a mirror image in another way than the surfaces.
 void requireEqualSuns(const Scene& scene) {
   for (const Instance& instance : scene.instances)
@@ -228,29 +216,25 @@ OutsideFlux outsideFlux(const Scene& scene, const Discretization& discretization
                         raster::ItemBufferRenderer& renderer, const OutsideViews& drawn) {
   if (!(brightest(scene.outside) > 0)) return {};
   requireEqualSuns(scene);
-  OutsideFlux flux{.received = BandTable(discretization.elements.size(), bandCount(scene)),
-                   .onBacks = Bands(bandCount(scene))};
+  OutsideFlux flux{BandTable(discretization.elements.size(), bandCount(scene)), Bands(bandCount(scene))};
   const ParallelViews views = viewsFor(scene, discretization, drawn.pixelsPerElement);
   const double pixelArea = views.pixelSide() * views.pixelSide();
   const RayTree rays(scene);
   PixelCounts pixels(scene, discretization, layout, renderer, views,
                      !hasBacks(scene) ? std::vector<std::uint32_t>() : coveredTriangles(scene, rays));
   const auto add = [&](const Beams& light) {
-    FormFactorRow counts = pixels.of(light.directions);
+    if (areZero(light.irradiance)) return;
+    const FormFactorRow counts = pixels.of(light.directions);
     const Bands perPixel = scaled(light.irradiance, pixelArea);
     for (std::size_t i = 0; i < counts.elements.size(); ++i)
       addTo(flux.received[counts.elements[i]], perPixel, static_cast<double>(counts.shares[i]));
     addTo(flux.onBacks, perPixel, static_cast<double>(counts.back));
-    return counts;
   };
-  const int skyDirections = scene.outside.sky == glm::dvec3(0) ? minDirections : drawn.directions;
-  flux.counted = countedShares(discretization, add(skyBeams(scene, skyDirections)), skyDirections / (4 * pixelArea));
+  add(skyBeams(scene, drawn.directions));
   for (const Sun& sun : scene.outside.suns)
     add(sunBeams(scene, sun, std::max(drawn.directions / directionsPerSunView, 1)));
   lightCentres(CentreLight(scene, discretization, rays, std::max(drawn.directions / directionsPerRay, 1)),
                discretization, pixelArea, flux);
-  for (std::size_t e = 0; e < flux.received.size(); ++e)
-    flux.uncounted += (1 - flux.counted[e]) * bandSum(flux.received[e]);
   return flux;
 }
 

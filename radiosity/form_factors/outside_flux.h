@@ -12,7 +12,6 @@
 #pragma once
 
 #include <cstddef>
-#include <vector>
 
 #include "radiosity/base/bands.h"
 #include "radiosity/discretization/discretization.h"
@@ -23,18 +22,9 @@
 
 namespace hemitex::radiosity {
 
-/// The smallest share of light from outside that counts in the residual and in the weights of patches (see
-/// patch_subdivision.h): on an open roof or ground, whose light returns to the sky. A room behind windows receives
-/// about this share of the light on a house and the ground around it, and should be as accurate as a room with lamps.
-inline constexpr double outsideShare = 0.01;
-
 struct OutsideFlux {
   BandTable received = {};  ///< one per element, W; empty if no light comes from outside or from lamps
-  /// One per element, outsideShare to 1: the share of its unshot flux that counts, for the sky that it sees; empty as
-  /// `received`, and without light from outside. An element that sees the share v of the sky counts as (1 - v)^4.
-  std::vector<double> counted = {};
-  double uncounted = 0;  ///< the rest of the flux that arrives from outside, bands summed, W
-  Bands onBacks = {};    ///< from outside, absorbed by backs, also by the outer sides of walls; W; empty as above
+  Bands onBacks = {};       ///< from outside, absorbed by backs, also by the outer sides of walls; W; empty as above
   // Of lamps, in W per band; empty without them. Of what they emit, elements receive the rest.
   Bands fromLamps = {};
   Bands lost = {};         ///< left the scene or was absorbed by backs

@@ -406,8 +406,7 @@ UpdateCost DynamicSolution::updateTo(EditedScene edit, const Progress& progress,
   OutsideFlux outside = next->drawn.outsideFlux();
   Bands emitted = emittedFlux(next->scene, next->discretization);
   addTo(emitted, sumOf(outside));
-  const double counted = bandSum(emitted) - outside.uncounted;
-  const double allowed = settings_.solver.residual * (bandSum(emitted) > 0 ? counted : light().lastEmitted);
+  const double allowed = settings_.solver.residual * (bandSum(emitted) > 0 ? bandSum(emitted) : light().lastEmitted);
   LightUpdate update(*world_, *next, edit.origins, rows_, settings_.solver.rowCacheBytes);
   // Windows are parts of rows that are drawn with index maps.
   const bool hasWindows = !settings_.rows && settings_.drawing.elementsBy == ElementsBy::Texture;

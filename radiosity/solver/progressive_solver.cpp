@@ -60,6 +60,12 @@ std::vector<SolutionWarning> warningsOf(const Scene& scene, const Energy& energy
 /// All emitted flux over the flux of a patch of weight 1 (see PatchSplit).
 constexpr double unitsOfFlux = 256;
 
+/// The flux of a patch of weight 1, of which light from outside counts as outsideShare.
+double unitFluxOf(const ShotLight& light) {
+  const double fromOutside = bandSum(sumOf(light.outside)) - bandSum(light.outside.fromLamps);
+  return (light.lastEmitted - (1 - outsideShare) * fromOutside) / unitsOfFlux;
+}
+
 /// Of the residual of the settings: at this share a solution ends if no light came to what is seen.
 constexpr double smallestResidual = 1e-6;
 
@@ -85,10 +91,10 @@ Solution shoot(const SolveInput& input, ShootingState& state, RowCache& rows, Ba
   };
   std::vector<SplitCall> splits = past.splits;
   const auto snapshot = [&] { return Snapshot{solution.shots, splits, absorbedByBacks, state.saved()}; };
-  const double unitFlux = state.light().lastEmitted / unitsOfFlux;
+  const double unitFlux = unitFluxOf(state.light());
   const auto weightOf = [&](std::uint32_t number) {
     const Patch& patch = state.patches().list[number];
-    const double ofAll = state.unshotSize(number) / unitFlux;
+    const double ofAll = sizeSum(state.unshot(number)) / unitFlux;
     if (seen.surfaces.empty() || !seen.scoutRow || patch.isSettled) return ofAll;
     const double ofSeen = unitsOfFlux * state.seenGain(number, seen.scoutRow(patch));
     return std::max(ofAll, ofSeen);
@@ -215,6 +221,11 @@ Solution shootFrom(SolveInput input, Continuation begun, const Progress& progres
 }
 
 }  // namespace
+
+double defaultResidual(const Scene& scene) {
+  constexpr double withoutOutside = SolverSettings().residual;
+  return brightest(scene.outside) > 0 ? withoutOutside * outsideShare : withoutOutside;
+}
 
 std::string endOf(const Solution& solution, const SolverSettings& settings) {
   if (solution.isInterrupted) return "progress";

@@ -19,13 +19,21 @@
 namespace hemitex::radiosity {
 
 struct SolverSettings {
-  double residual = 0.001;        ///< stops when ShootingState::residual is at most this; >= 0. If surfaces are seen,
-                                  ///< see also SeenLight::residual
+  double residual = 0.001;        ///< stops when unshot over emitted flux, bands summed, is at most this; >= 0.
+                                  ///< If surfaces are seen, see also SeenLight::residual
   std::optional<int> shots = {};  ///< maximum number of shots; >= 0
   std::size_t rowCacheBytes = std::size_t{1024}
                               << 20;  ///< memory of the cache of rows, for later shots of the same patch
   bool keepsIrradiance = false;       ///< also for scenes without maps (see Solution::irradiance)
 };
+
+/// The share of light from outside that counts in the default residual and in the weights of patches (see
+/// patch_subdivision.h). A room behind windows receives about this share of the light on a house and the ground around
+/// it, and should be as accurate as a room with lamps.
+inline constexpr double outsideShare = 0.01;
+
+/// The residual for a scene: that of SolverSettings, times outsideShare if light comes from outside.
+double defaultResidual(const Scene& scene);
 
 /// The light of seen surfaces (see seenSurfaces). The solution takes as much care of it as of all light: little of it
 /// stays unshot. With scout rows, patches are split and drawn by what their flux adds to it, even if they are faint
@@ -78,7 +86,7 @@ struct Solution {
   Patches patches = {};  ///< as split during the solution
   /// One per patch: the flux that it shot in this solution and that backs absorbed. Empty if there is none.
   std::vector<glm::dvec3> absorbedByBacks = {};
-  double residual = 0;  ///< counted unshot over emitted flux, bands summed (see ShootingState::residual)
+  double residual = 0;  ///< unshot over emitted flux, bands summed (see ShootingState::residual)
   int shots = 0;
   bool isInterrupted = false;  ///< ended by Progress before a limit was reached
   std::vector<SolutionWarning> warnings = {};

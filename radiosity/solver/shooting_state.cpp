@@ -198,12 +198,12 @@ ShootingState::ShootingState(const Scene& scene, const Discretization& discretiz
       materials_(scene, discretization),
       patches_(std::move(patches)),
       light_(std::move(light)),
-      unshot_(unshotByPatches(), countedShares()),
+      unshot_(unshotByPatches()),
       emitted_(emittedFlux(discretization, materials_)),
       lost_(materials_.bands()),
       lostToBacks_(materials_.bands()) {
   addTo(emitted_, sumOf(light_.outside));
-  if (bandSum(emitted_) > 0) light_.lastEmitted = bandSum(emitted_) - light_.outside.uncounted;
+  if (bandSum(emitted_) > 0) light_.lastEmitted = bandSum(emitted_);
   lost_.add(light_.lost);
   lostToBacks_.add(light_.lostToBacks);
 }
@@ -215,12 +215,12 @@ ShootingState::ShootingState(const Scene& scene, const Discretization& discretiz
       patches_(std::move(patches)),
       light_{std::move(saved.shot), std::move(saved.received), saved.lost.sum,          saved.lostToBacks.sum,
              begun.stale,           begun.lastEmitted,         std::move(begun.outside)},
-      unshot_(std::move(saved.unshot), countedShares()),
+      unshot_(std::move(saved.unshot)),
       emitted_(emittedFlux(discretization, materials_)),
       lost_(std::move(saved.lost)),
       lostToBacks_(std::move(saved.lostToBacks)) {
   addTo(emitted_, sumOf(light_.outside));
-  if (bandSum(emitted_) > 0) light_.lastEmitted = bandSum(emitted_) - light_.outside.uncounted;
+  if (bandSum(emitted_) > 0) light_.lastEmitted = bandSum(emitted_);
 }
 
 SavedShots ShootingState::saved() const { return {light_.shot, light_.received, unshot_.flux(), lost_, lostToBacks_}; }
@@ -363,25 +363,6 @@ Bands ShootingState::unshotOf(std::uint32_t number) const {
   return sum.sum;
 }
 
-/// The share of the unshot flux of a patch that counts: the mean over the area of its elements.
-double ShootingState::countedShareOf(std::uint32_t number) const {
-  const Patch& patch = patches_.list[number];
-  double sum = 0, area = 0;
-  for (const std::uint32_t element : patch.elements) {
-    sum += light_.outside.counted[element] * discretization_.elements[element].area;
-    area += discretization_.elements[element].area;
-  }
-  return sum / area;
-}
-
-/// One per patch; none if all count as 1.
-std::vector<double> ShootingState::countedShares() const {
-  std::vector<double> shares;
-  if (light_.outside.counted.empty()) return shares;
-  for (std::uint32_t patch = 0; patch < patches_.list.size(); ++patch) shares.push_back(countedShareOf(patch));
-  return shares;
-}
-
 BandTable ShootingState::unshotByPatches() const {
   assert(light_.shot.size() == patches_.list.size());
   assert(light_.received.size() == discretization_.elements.size());
@@ -402,7 +383,6 @@ void ShootingState::split(std::uint32_t number, std::vector<Patch> parts) {
   std::vector<std::uint32_t> blocks;
   const auto makeAnew = [&](std::uint32_t changed) {
     set(unshot_.ofPatch(changed), unshotOf(changed));
-    if (!light_.outside.counted.empty()) unshot_.setShare(changed, countedShareOf(changed));
     blocks.push_back(changed / UnshotTree::patchesInBlock);
   };
   makeAnew(number);

@@ -52,8 +52,7 @@ struct ShotLight {
   Bands lostToBacks = {};   ///< part of `lost` that backs absorbed
   /// Upper bound of stale flux, bands summed: it was shot along rows that were not updated. Part of the residual.
   double stale = 0;
-  /// Emitted flux, bands summed and counted: the reference of the residual. If nothing is emitted, that of before.
-  double lastEmitted = 0;
+  double lastEmitted = 0;    ///< bands summed: the reference of the residual when nothing is emitted
   OutsideFlux outside = {};  ///< included in `received`, `lost` and `lostToBacks`
 };
 
@@ -83,12 +82,10 @@ class ShootingState {
   SavedShots saved() const;
 
   const Patches& patches() const { return patches_; }
-  /// The patch with the largest absolute unshot flux that counts, bands summed; the first of equals.
+  /// The patch with the largest absolute unshot flux, bands summed; the first of equals.
   std::uint32_t brightestPatch() const { return unshot_.brightest(); }
-  /// The patches with the largest such flux, in this order; at most `count`.
+  /// The patches with the largest absolute unshot flux, in this order; at most `count`.
   std::vector<std::uint32_t> brightestPatches(std::size_t count) const { return unshot_.brightestPatches(count); }
-  /// The absolute unshot flux of a patch that counts, bands summed.
-  double unshotSize(std::uint32_t patch) const { return unshot_.size(patch); }
   /// The unshot flux of a patch in W per band, and whether it has ever shot.
   std::span<const double> unshot(std::uint32_t patch) const { return unshot_.flux()[patch]; }
   bool hasShot(std::uint32_t patch) const { return !areZero(light_.shot[patch]); }
@@ -103,8 +100,8 @@ class ShootingState {
   const ShotLight& light() const { return light_; }
   /// The account of flux, summed over all elements and patches.
   Energy energy() const;
-  /// The sum of absolute unshot flux of all patches and of the stale flux, over the emitted flux, bands summed. Both
-  /// count as OutsideFlux::counted says. If nothing is emitted, over the flux emitted last; 0 if nothing ever was.
+  /// The sum of absolute unshot flux of all patches and of the stale flux, over the emitted flux, bands summed. If
+  /// nothing is emitted, over the flux emitted last; 0 if nothing ever was.
   double residual() const;
   /// Chooses the surfaces that seenResidual and seenGain are about: one value per surface, or none.
   void setSeen(std::vector<bool> surfaces);
@@ -124,8 +121,6 @@ class ShootingState {
  private:
   Bands absorbed() const;
   Bands unshotOf(std::uint32_t patch) const;
-  double countedShareOf(std::uint32_t patch) const;
-  std::vector<double> countedShares() const;
   BandTable unshotByPatches() const;
 
   const Discretization& discretization_;

@@ -10,15 +10,13 @@ namespace hemitex::radiosity {
 
 constexpr std::size_t children = UnshotTree::patchesInBlock;
 
-UnshotTree::UnshotTree(BandTable flux, std::vector<double> shares)
-    : flux_(std::move(flux)), shares_(std::move(shares)) {
+UnshotTree::UnshotTree(BandTable flux) : flux_(std::move(flux)) {
   assert(!flux_.empty());
   grow(flux_.size());
 }
 
 void UnshotTree::grow(std::size_t patches) {
   flux_.resize(patches);
-  if (!shares_.empty()) shares_.resize(patches, 1);
   sizes_.resize(patches);
   isChanged_.resize(patches, 1);
   std::size_t count = patches;
@@ -39,12 +37,11 @@ template <std::size_t bands>
 void UnshotTree::sumPatches(std::size_t first, std::size_t end, Node& node, std::span<double> sizes) {
   for (std::size_t i = first; i < end; ++i) {
     const auto flux = flux_.of<bands>(i);
-    const double share = shares_.empty() ? 1 : shares_[i];
-    if (isChanged_[i]) sizes_[i] = share * sizeSum<bands>(flux);
+    if (isChanged_[i]) sizes_[i] = sizeSum<bands>(flux);
     isChanged_[i] = 0;
     node.add(sizes_[i], static_cast<std::uint32_t>(i));
     if constexpr (bands == 3)
-      for (std::size_t band = 0; band < bands; ++band) sizes[band] += share * std::abs(flux[band]);
+      for (std::size_t band = 0; band < bands; ++band) sizes[band] += std::abs(flux[band]);
     else
       sizes[0] += sizes_[i];
   }
@@ -71,11 +68,6 @@ std::size_t UnshotTree::make(std::size_t level, std::uint32_t number) {
   }
   levels_[level].nodes[number] = node;
   return end - first;
-}
-
-void UnshotTree::setShare(std::uint32_t patch, double share) {
-  shares_[patch] = share;
-  isChanged_[patch] = 1;
 }
 
 std::size_t UnshotTree::update(std::span<const std::uint32_t> blocks) {

@@ -18,8 +18,8 @@ class UnshotTree {
   /// Patches per lowest node.
   static constexpr std::uint32_t patchesInBlock = 64;
 
-  /// One entry per patch; at least one. A patch counts with its share, 0 to 1; without shares as 1.
-  explicit UnshotTree(BandTable flux, std::vector<double> shares = {});
+  /// One entry per patch; at least one.
+  explicit UnshotTree(BandTable flux);
 
   const BandTable& flux() const { return flux_; }
   /// The flux of a patch, to change; call `update` afterwards. Blocks of different patches may be changed at the same
@@ -29,22 +29,17 @@ class UnshotTree {
     return flux_[patch];
   }
 
-  /// Changes the share of a patch; call `update` afterwards.
-  void setShare(std::uint32_t patch, double share);
-  /// The absolute flux of a patch times its share, bands summed, as of the last update.
-  double size(std::uint32_t patch) const { return sizes_[patch]; }
-
   /// Appends patches without unshot flux up to this number; call `update` with their blocks afterwards.
   void grow(std::size_t patches);
   /// Updates the tree after changes in these blocks; duplicates are allowed. Returns the number of patches and nodes
   /// visited.
   std::size_t update(std::span<const std::uint32_t> blocks);
 
-  /// The patch of the largest size; the first of equals.
+  /// The patch with the largest absolute flux, bands summed; the first of equals.
   std::uint32_t brightest() const { return levels_.back().nodes.front().brightest; }
-  /// The patches of the largest sizes, in this order; at most `count`. Visits some nodes per patch.
+  /// The patches with the largest absolute fluxes, in this order; at most `count`. Visits some nodes per patch.
   std::vector<std::uint32_t> brightestPatches(std::size_t count) const;
-  /// The sum of the sizes of the patches: for each of three bands, or for other bands together, because a sum
+  /// The sum of the absolute fluxes of the patches: for each of three bands, or for other bands together, because a sum
   /// per band would visit all of them.
   std::span<const double> sizes() const { return levels_.back().sizes[0]; }
 
@@ -70,8 +65,7 @@ class UnshotTree {
   void sumPatches(std::size_t first, std::size_t end, Node& node, std::span<double> sizes);
 
   BandTable flux_;
-  std::vector<double> shares_;           ///< one per patch, or none
-  std::vector<double> sizes_;            ///< one per patch
+  std::vector<double> sizes_;            ///< one per patch: the absolute flux, bands summed
   std::vector<std::uint8_t> isChanged_;  ///< one per patch: whether the size is of an earlier flux
   std::vector<Level> levels_;            ///< lowest first; the last has one node
   std::uint32_t updates_ = 0;

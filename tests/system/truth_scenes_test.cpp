@@ -41,6 +41,7 @@ Solution solvedByDefault(const Scene& scene, Discretization& discretization) {
                 .patches = discretization.patches,
                 .rowOf = drawn.rowOf(),
                 .split = drawn.splits(),
+                .settings = {.residual = defaultResidual(scene)},
                 .outside = drawn.outsideFlux()});
 }
 

@@ -50,7 +50,7 @@ class SolutionHandle {
   SolutionHandle(const ElementsHandle& elements, const Json& settings)
       : elements_(elements), drawing_(drawingSettings(settings)), ids_(idSettings(settings)) {
     radiosity::requireEmission(*elements.scene, "the scene");
-    solver_.residual = settings.value("residual", solver_.residual);
+    solver_.residual = settings.value("residual", radiosity::defaultResidual(*elements.scene));
     if (!(solver_.residual >= 0)) throw InputError("the residual is below 0");
     if (settings.contains("shots")) solver_.shots = settings["shots"].get<int>();
     if (solver_.shots.value_or(0) < 0) throw InputError("the number of shots is below 0");

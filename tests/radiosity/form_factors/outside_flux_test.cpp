@@ -127,29 +127,6 @@ TEST_CASE("outsideFlux lights the floor of an open box by its form factor to the
   CHECK(lit.flux.onBacks[0] == Approx(3 * 2 + 2 * (3 * 1.5 + 2 * 1.5)).epsilon(0.005));
 }
 
-TEST_CASE("outsideFlux counts light by the share of the sky that its element sees, whether the sky shines or not",
-          "[outside_flux]") {
-  std::vector<Surface> box = tests::box("box", {0, 0, 0}, {3, 2, 1.5}, true);
-  const std::vector<Surface> closed = box;
-  box.erase(box.begin() + 1);
-  constexpr std::size_t middle = 7 * 15 + 7;
-  const double enclosed = 1 - tests::elementToParallelRectangle({{-1.5, 1.5}, {-1, 1}}, 1.5);
-  for (const auto& [light, tolerance] :
-       {std::pair{sky(glm::dvec3(1)), 0.05}, std::pair{sun({0, 1, 5}, {3, 2, 1}), 0.15}}) {
-    const Lit open(sceneWith(box, light), {.texels = 15});
-    CHECK(open.flux.counted[middle] == Approx(std::pow(enclosed, 4)).epsilon(tolerance));
-    double uncounted = 0;
-    for (std::size_t e = 0; e < open.flux.received.size(); ++e)
-      uncounted += bandSum(open.flux.received[e]) * (1 - open.flux.counted[e]);
-    CHECK(open.flux.uncounted == Approx(uncounted).epsilon(1e-12));
-    const Lit room(sceneWith(closed, light), {.texels = 15});
-    CHECK(room.flux.counted == std::vector<double>(room.flux.received.size(), 1.0));
-    CHECK(room.flux.uncounted == 0);
-    const Lit plane(sceneWith({tests::parallelogram("plane", {0, 0, 0}, {1, 0, 0}, {0, 1, 0})}, light), {.texels = 8});
-    CHECK(plane.flux.counted == std::vector<double>(64, outsideShare));
-  }
-}
-
 TEST_CASE("outsideFlux brings nothing into a closed room", "[outside_flux]") {
   OutsideLight outside = sun({1, 2, 3}, glm::dvec3(5));
   outside.sky = glm::dvec3(1);

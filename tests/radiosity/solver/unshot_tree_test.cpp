@@ -75,23 +75,6 @@ TEST_CASE("UnshotTree::brightestPatches lists patches with flux as a sort by siz
   }
 }
 
-TEST_CASE("UnshotTree counts patches by their shares, which change the brightest and the sum", "[refinement]") {
-  BandTable flux(3, 3);
-  flux.values = {1, 1, 1, -3, -3, -3, 2, 2, 2};
-  UnshotTree unshot(flux, {1, 0.25, 0.5});
-  CHECK(unshot.brightest() == 0);
-  CHECK(unshot.size(1) == 2.25);
-  CHECK(unshot.brightestPatches(3) == std::vector<std::uint32_t>{0, 2, 1});
-  CHECK(std::ranges::equal(unshot.sizes(), Bands{2.75, 2.75, 2.75}));
-  unshot.grow(4);
-  unshot.setShare(2, 1);
-  unshot.setShare(3, 0.125);
-  unshot.ofPatch(3)[0] = 64;
-  unshot.update(std::vector<std::uint32_t>{0});
-  CHECK(unshot.brightest() == 3);
-  CHECK(std::ranges::equal(unshot.sizes(), Bands{11.75, 3.75, 3.75}));
-}
-
 TEST_CASE("UnshotTree::grow appends patches without flux, and keeps all others", "[refinement]") {
   std::mt19937 random(7);
   for (const std::size_t count : {1, 64, 65, 4096})
