@@ -28,13 +28,13 @@ std::vector<Surface> squareAndStrip(double width) {
 }  // namespace
 
 TEST_CASE("exchangeArea of rectangles that touch is the closed form", "[form-factors]") {
-  const double width = GENERATE(1, 0.1, 0.001);
+  const double width = GENERATE(1.0, 0.1, 0.001);
   const double factor = tests::perpendicularRectangles({{0.3, 0.7}, {0, width}}, {{0, 1}, {0, 1}});
   CHECK(exchanged(tests::sceneOf(squareAndStrip(width))) == Approx(0.4 * width * factor).epsilon(0.005));
 }
 
 TEST_CASE("exchangeArea of parallel rectangles is the closed form, and the same from both", "[form-factors]") {
-  const double gap = GENERATE(1, 0.1, 0.002);
+  const double gap = GENERATE(1.0, 0.1, 0.002);
   const double factor = tests::parallelRectangles({{0.2, 0.6}, {0.3, 0.32}}, {{0, 1}, {0, 1}}, gap);
   std::vector<Surface> surfaces{tests::parallelogram("square", {0, 0, 0}, {1, 0, 0}, {0, 1, 0}),
                                 tests::parallelogram("strip", {0.2, 0.3, gap}, {0, 0.02, 0}, {0.4, 0, 0})};
