@@ -18,6 +18,7 @@
 #include "radiosity/pictures/pictures.h"
 #include "radiosity/projection/projection.h"
 #include "radiosity/projection/projection_kinds.h"
+#include "radiosity/scene/load_scene.h"
 #include "raster/base/input_error.h"
 #include "raster/software/software_renderer.h"
 
@@ -51,10 +52,11 @@ struct RenderOptions {
 
 Subject subjectOf(const RenderOptions& options, Console& console) {
   if (options.scene.file.filename() == "scene.obj") requireLitScene(options.scene.file.parent_path());
-  SceneOptions asked = options.scene;
-  // A lit scene has its backs already.
-  if (std::filesystem::exists(asked.file.parent_path() / "solution.json")) asked.settings.sides = radiosity::Sides::One;
-  Subject subject{loadedScene(asked), {}, {}};
+  radiosity::SceneSettings settings = options.scene.settings;
+  settings.sides = radiosity::Sides::One;
+  // A lit scene has its backs and its parts already.
+  const bool isLit = std::filesystem::exists(options.scene.file.parent_path() / "solution.json");
+  Subject subject{isLit ? radiosity::loadScene(options.scene.file, settings) : loadedScene(options.scene), {}, {}};
   subject.solved = SolvedFolder::around(options.scene.file, subject.scene);
   if (subject.solved && options.scene.materials.areGiven())
     throw raster::InputError(options.scene.file.string(), 0, "is a solved scene, whose light cannot change",

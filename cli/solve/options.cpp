@@ -7,6 +7,7 @@
 #include "radiosity/bands/spectral_scene.h"
 #include "radiosity/meshes/length_unit.h"
 #include "radiosity/scene/load_scene.h"
+#include "radiosity/textures/final_gather.h"
 
 namespace hemitex::cli {
 namespace {
@@ -317,8 +318,7 @@ TextureFilter filterOf(const SolveOptions& options) {
 }
 
 radiosity::Magnification magnificationOf(const SolveOptions& options) {
-  // A gathered texel takes much more time than a filtered one.
-  if (options.gather) return {options.magnification, std::int64_t{1} << 22};
+  if (options.gather) return {options.magnification, radiosity::maxGatheredTexels};
   if (filterOf(options) == TextureFilter::OneToOne) return {options.magnification.value_or(1)};
   return {options.magnification};
 }

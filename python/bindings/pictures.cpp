@@ -10,17 +10,21 @@
 #include "python/bindings/scenes.h"
 #include "python/bindings/settings.h"
 #include "radiosity/images/image.h"
+#include "radiosity/index_maps/id_layout.h"
 #include "radiosity/pictures/id_pictures.h"
 #include "radiosity/pictures/picture_exposure.h"
 #include "radiosity/pictures/pictures.h"
+#include "radiosity/textures/final_gather.h"
 #include "radiosity/textures/lit_scene.h"
 #include "radiosity/textures/radiosity_texture.h"
+#include "raster/base/input_error.h"
 
 namespace hemitex::python {
 namespace {
 
 using radiosity::Camera;
 using radiosity::Image;
+using raster::InputError;
 
 struct Size {
   int width = 800, height = 600;
@@ -39,6 +43,18 @@ py::object toPixels(const Image& image) {
   return toArray(std::move(coded.codes), {coded.height, coded.width, 3});
 }
 
+/// The display textures of a solution, whose texels gather their light.
+radiosity::LitScene gatheredScene(const radiosity::Scene& scene, const radiosity::Discretization& discretization,
+                                  const radiosity::Solution& solution, double exposure) {
+  const radiosity::TextureLayout layout =
+      radiosity::layOutTextures(scene, discretization, {{}, radiosity::maxGatheredTexels});
+  const radiosity::GatheredLight light =
+      radiosity::gather(scene, discretization, radiosity::layOut(discretization), layout, solution);
+  return radiosity::makeLitScene(
+      scene, discretization, layout,
+      radiosity::codedTextures(radiosity::radiosityTextures(scene, discretization, layout, light), exposure));
+}
+
 /// The picture that `hemitex solve` writes as render.png: display textures, in front of the sky.
 py::tuple litPicture(const Solved& solved, const py::dict& seenFrom, const py::dict& given) {
   using radiosity::TextureFilter;
@@ -53,6 +69,8 @@ py::tuple litPicture(const Solved& solved, const py::dict& seenFrom, const py::d
                                                 {"triangle", TextureFilter::Triangle},
                                                 {"bilinear", TextureFilter::Bilinear},
                                                 {"bicubic", TextureFilter::Bicubic}});
+  const bool gathers = settings.flag("gather").value_or(false);
+  if (gathers && filter) throw InputError("gathered light is not filtered", "leave out `filter`");
   double exposure = 1;
   Image image;
   unlocked([&] {
@@ -63,7 +81,10 @@ py::tuple litPicture(const Solved& solved, const py::dict& seenFrom, const py::d
                        : radiosity::pictureExposure(scene, discretization, radiosity::valuesIn(displayed), camera,
                                                     size.width, size.height);
     const glm::dvec3 sky = radiosity::skyColour(scene.outside.sky, exposure);
-    if (filter == TextureFilter::OneToOne) {
+    if (gathers) {
+      const radiosity::LitScene lit = gatheredScene(scene, discretization, *solution, exposure);
+      image = radiosity::unlitPicture(lit, camera, size.width, size.height, sky);
+    } else if (filter == TextureFilter::OneToOne) {
       const auto colours = [&](std::uint32_t element) { return displayed[element] * exposure; };
       image = radiosity::elementPicture(scene, discretization, colours, camera, size.width, size.height, sky);
     } else {

@@ -23,10 +23,12 @@ def render(what: Solution | Scene | Elements,
            seen_by: Camera | None = None,
            size: Sequence[int] = (800, 600),
            exposure: float | None = None,
-           filter: Literal["none", "triangle", "bilinear", "bicubic"] = "bicubic") -> npt.NDArray[np.uint8]:
+           filter: Literal["none", "triangle", "bilinear", "bicubic"] | None = None,
+           gather: bool = False) -> npt.NDArray[np.uint8]:
     """A picture, (height, width, 3) sRGB codes, the top row first.
 
-    Of a solution: its light, filtered, as `hemitex solve` writes it into render.png. exposure: factor from W/m^2 to
+    Of a solution: its light, filtered, as `hemitex solve` writes it into render.png. filter: by default bicubic.
+    gather: each texel gathers its light instead, as with `--gather`. exposure: factor from W/m^2 to
     linear colours in [0, 1]; by default chosen from what the camera sees. Of a scene or elements: what `show` says, or
     `values`, linear colours (elements,) or (elements, 3) in [0, 1], one per element.
     """
@@ -38,7 +40,7 @@ def render(what: Solution | Scene | Elements,
         width, height = size
     except (TypeError, ValueError):
         raise InputError(f"`size` is {size!r}; give (width, height)") from None
-    settings = _settings(width=width, height=height, exposure=exposure, filter=filter)
+    settings = _settings(width=width, height=height, exposure=exposure, filter=filter, gather=gather or None)
     if values is not None:
         return _core.value_picture(elements._core, _three_bands(values, "values"), view, settings)
     if isinstance(what, Solution):

@@ -12,6 +12,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <glm/glm.hpp>
 #include <vector>
@@ -24,6 +25,9 @@
 #include "radiosity/textures/texture_layout.h"
 
 namespace hemitex::radiosity {
+
+/// The most texels of layouts whose number is not given: a gathered texel takes much more time than a filtered one.
+inline constexpr std::int64_t maxGatheredTexels = std::int64_t{1} << 22;
 
 struct GatherSettings {
   /// Surfaces with fewer elements along the longer side are divided finer, and get the light of their elements by a

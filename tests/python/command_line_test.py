@@ -100,6 +100,16 @@ def test_solve_and_render_equal_hemitex_solve(tmp_path: Path) -> None:
     assert np.array_equal(hx.render(solution), drawn)
 
 
+def test_gathered_pictures_equal_hemitex_solve(tmp_path: Path) -> None:
+    from matplotlib import image
+    solution = hx.solve(hx.discretize(hx.load_scene(ROOM), texels=2))
+    run("solve", ROOM, "--texels", 2, "--gather", "--size", "80x60", "-o", tmp_path)
+    drawn = np.rint(image.imread(tmp_path / "render.png")[..., :3] * 255).astype(int)
+    assert np.array_equal(hx.render(solution, size=(80, 60), gather=True), drawn)
+    with pytest.raises(hx.InputError, match="gathered light is not filtered"):
+        hx.render(solution, size=(8, 6), gather=True, filter="bilinear")
+
+
 def test_solve_with_light_from_outside_equals_hemitex_solve(tmp_path: Path) -> None:
     scene = hx.load_scene(DATA / "pyramid-room.obj", sky=(1, 2, 3), suns=[((1, 2, 1), (10, 9, 8))])
     solution = hx.solve(hx.discretize(scene, texels=4), residual=0.01)
