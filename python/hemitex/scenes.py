@@ -377,7 +377,7 @@ Edit = Union[Move, Remove, Restore, Add, SetEmission, SetReflectance]
 
 def _shift(edit: Move | Add) -> Vector:
     """How far an edit moves; one number, other than 0, says no direction."""
-    if np.ndim(edit.by) == 0 and edit.by != 0.0:
+    if isinstance(edit.by, (int, float)) and edit.by != 0:
         raise InputError(f"`by` of {type(edit).__name__} is one number; give three, along x, y and z")
     return edit.by
 

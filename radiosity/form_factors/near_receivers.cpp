@@ -55,19 +55,19 @@ double distanceTo(const std::vector<SurfacePart>& shapes, const Bounds& bounds) 
   return smallest;
 }
 
-/// A row with other shares for some entries, below 0 for those that stay. What remains for these is known well only
-/// where it is not the small rest of all: it is from half to twice of what was drawn.
+/// A row with other shares for some entries, below 0 for those that stay. What misses all elements stays as well. What
+/// remains for the other elements is known well only where it is not the small rest of all: it is from half to twice of
+/// what was drawn.
 FormFactorRow replaced(const FormFactorRow& row, const std::vector<double>& others) {
-  const double whole = static_cast<double>(wholeShare);
-  double sum = 0, drawn = static_cast<double>(row.background) + static_cast<double>(row.back);
+  const double missed = static_cast<double>(row.background) + static_cast<double>(row.back);
+  double sum = missed, drawn = 0;
   for (std::size_t i = 0; i < others.size(); ++i)
     (others[i] < 0 ? drawn : sum) += others[i] < 0 ? static_cast<double>(row.shares[i]) : others[i];
-  const double scale = drawn > 0 ? std::clamp((whole - sum) / drawn, 0.5, 2.0) : 1;
+  const double scale = drawn > 0 ? std::clamp((static_cast<double>(wholeShare) - sum) / drawn, 0.5, 2.0) : 1;
   std::vector<double> shares;
   for (std::size_t i = 0; i < others.size(); ++i)
     shares.push_back(others[i] < 0 ? scale * static_cast<double>(row.shares[i]) : others[i]);
-  return closedRow(row.elements, shares, scale * static_cast<double>(row.background),
-                   scale * static_cast<double>(row.back));
+  return closedRow(row.elements, shares, static_cast<double>(row.background), static_cast<double>(row.back));
 }
 
 }  // namespace
