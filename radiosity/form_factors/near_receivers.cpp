@@ -14,6 +14,8 @@ namespace {
 
 /// Small elements have at most this share of the mean area of elements.
 constexpr double smallShare = 0.5;
+/// Lamps have at most this share of all area. Where walls emit, as in a furnace, all patches would be lamps.
+constexpr double lampShare = 0.1;
 /// Maximum number of small elements.
 constexpr std::size_t maxSmall = 1 << 13;
 /// A small element is tested if its share in the row of the patch, which may be too small, gives at least this form
@@ -77,7 +79,15 @@ NearReceivers::NearReceivers(const Scene& scene, const Discretization& discretiz
       discretization_(discretization),
       materials_(scene, discretization),
       isSmall_(smallElements(discretization.elements)),
-      ofSurfaces_(boundsOfSurfaces(scene)) {}
+      ofSurfaces_(boundsOfSurfaces(scene)) {
+  double all = 0, emitting = 0;
+  for (std::uint32_t e = 0; e < discretization.elements.size(); ++e) {
+    const Element& element = discretization.elements[e];
+    all += element.area;
+    if (!areZero(materials_.emission(element.surface, e))) emitting += element.area;
+  }
+  areLampsSmall_ = emitting <= lampShare * all;
+}
 
 std::optional<FormFactorRow> NearReceivers::corrected(const Patch& patch, const FormFactorRow& row) {
   known_.set(patch.number, NearRows::State::Drawn);
@@ -124,8 +134,9 @@ std::vector<NearReceivers::Candidate> NearReceivers::candidates(const Patch& pat
 }
 
 bool NearReceivers::isLamp(const Patch& patch) const {
-  return std::ranges::any_of(
-      patch.elements, [&](std::uint32_t element) { return !areZero(materials_.emission(patch.surface, element)); });
+  return areLampsSmall_ && std::ranges::any_of(patch.elements, [&](std::uint32_t element) {
+           return !areZero(materials_.emission(patch.surface, element));
+         });
 }
 
 const SurfacePart& NearReceivers::partOfElement(std::uint32_t element) {

@@ -76,6 +76,7 @@ class NearReceivers {
   const Scene& scene_;
   const Discretization& discretization_;
   ElementMaterials materials_;
+  bool areLampsSmall_ = false;                       ///< whether little of all area emits
   std::vector<bool> isSmall_;                        ///< one per element
   std::vector<Bounds> ofSurfaces_;                   ///< in the first instance
   std::optional<RayTree> tree_;                      ///< made on demand
