@@ -12,7 +12,7 @@
 namespace hemitex::cli {
 namespace {
 
-/// Pictures have 2 x 2 samples per pixel, and a view has at most 4096 samples per side.
+/// Pictures have 2 x 2 samples per pixel, more at edges, and a view has at most 4096 samples per side.
 constexpr int largestSide = 2048;
 
 std::optional<glm::dvec3> vectorAt(const nlohmann::json& view, const std::string& key) {

@@ -57,7 +57,8 @@ std::vector<std::uint8_t> edgesOf(const Samples& samples, int width, int height)
   };
   const auto shown = [&](int column, int row) {
     const auto& sample = samples[at(std::clamp(column, 0, columns - 1), std::clamp(row, 0, rows - 1))];
-    return sample ? std::pair<std::int64_t, std::uint32_t>(sample->surface, sample->instance) : std::pair<std::int64_t, std::uint32_t>(-1, 0);
+    return sample ? std::pair<std::int64_t, std::uint32_t>(sample->surface, sample->instance)
+                  : std::pair<std::int64_t, std::uint32_t>(-1, 0);
   };
   std::vector<std::uint8_t> edges(samples.size());
   raster::parallelFor(static_cast<std::size_t>(height), [&](std::size_t pixelRow) {
