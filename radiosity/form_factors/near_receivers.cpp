@@ -98,11 +98,14 @@ std::optional<FormFactorRow> NearReceivers::corrected(const Patch& patch, const 
   const std::vector<Candidate> candidates = this->candidates(patch, row, shapes);
   if (candidates.empty()) return std::nullopt;
   if (!tree_) tree_.emplace(scene_);
+  // Images of a patch add up. Those that are left out have less than a hundredth of the least sum.
+  const double ofImage = shapes.size() > 1 ? 0.02 / static_cast<double>(shapes.size()) : 1;
   std::vector<double> others(row.shares.size(), -1);
   raster::parallelFor(candidates.size(), [&](std::size_t c) {
     const auto& [entry, element, least] = candidates[c];
     double area = 0;
-    const NearAccuracy accuracy{least * element->area, contactTolerance(scene_), least > 0 ? raysOfSmall : raysOfLamp};
+    const NearAccuracy accuracy{ofImage * least * element->area, contactTolerance(scene_),
+                                least > 0 ? raysOfSmall : raysOfLamp};
     for (const SurfacePart& shape : shapes) area += exchangeArea(*element, shape, *tree_, accuracy);
     const double factor = area / element->area;
     if (factor > 0 && factor >= least)

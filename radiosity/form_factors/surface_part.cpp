@@ -93,17 +93,9 @@ std::vector<Sample> samplesOf(const SurfacePart& part, const SurfacePart& to, do
   return samples;
 }
 
-/// Point k of a sequence on a part that is spread evenly, by multiples of 1/p and 1/p^2 with p^3 = p + 1.
 Sample pointOn(const SurfacePart& part, std::size_t k) {
-  const auto fraction = [](double number) { return number - std::floor(number); };
-  double rest = part.area * fraction(0.5 + double(k) * 0.7548776662466927);
-  const double down = fraction(0.5 + double(k) * 0.5698402909980532);
-  std::size_t f = 0;
-  for (; f + 1 < part.faces.size() && rest >= part.faces[f].area; ++f) rest -= part.faces[f].area;
-  const SurfacePart::Face& face = part.faces[f];
-  const auto& [a, b, c] = face.corners;
-  const double root = std::sqrt(std::min(rest / face.area, 1.0));
-  return {a + root * ((1 - down) * (b - a) + down * (c - a)), face.normal, part.area};
+  const PlacedPoint point = pointAt(part.faces, spreadPoint(k));
+  return {point.position, part.faces[point.face].normal, part.area};
 }
 
 /// What rays have found.
@@ -173,6 +165,22 @@ SurfacePart placed(const SurfacePart& part, const Instance& instance) {
     add(result, {instance(face.corners[0]), instance(face.corners[1]), instance(face.corners[2])},
         instance.sign * face.normal);
   return result;
+}
+
+glm::dvec2 spreadPoint(std::size_t k) {
+  const glm::dvec2 point = 0.5 + double(k) * glm::dvec2(0.7548776662466927, 0.5698402909980532);
+  return point - glm::floor(point);
+}
+
+PlacedPoint pointAt(std::span<const SurfacePart::Face> faces, const glm::dvec2& at) {
+  double rest = 0;
+  for (const SurfacePart::Face& face : faces) rest += face.area;
+  rest *= at.x;
+  std::size_t f = 0;
+  for (; f + 1 < faces.size() && rest >= faces[f].area; ++f) rest -= faces[f].area;
+  const double root = std::sqrt(std::min(rest / faces[f].area, 1.0));
+  const auto& [a, b, c] = faces[f].corners;
+  return {a + root * ((1 - at.y) * (b - a) + at.y * (c - a)), f};
 }
 
 double distanceBetween(const Bounds& a, const Bounds& b) {

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <span>
 #include <vector>
 
 #include "radiosity/discretization/discretization.h"
@@ -36,6 +37,17 @@ SurfacePart partOf(const Scene& scene, const Discretization& discretization, con
 SurfacePart partOf(const Scene& scene, const Discretization& discretization, std::uint32_t element);
 /// A part in another instance.
 SurfacePart placed(const SurfacePart& part, const Instance& instance);
+
+/// Point k of a sequence that is spread evenly over the unit square, by multiples of 1/p and 1/p^2 with p^3 = p + 1.
+glm::dvec2 spreadPoint(std::size_t k);
+
+/// A point on one of several triangles.
+struct PlacedPoint {
+  glm::dvec3 position;
+  std::size_t face = 0;
+};
+/// The point for a point of the unit square, evenly by area; at least one face.
+PlacedPoint pointAt(std::span<const SurfacePart::Face> faces, const glm::dvec2& at);
 
 /// The distance between two boxes; 0 if they meet.
 double distanceBetween(const Bounds& a, const Bounds& b);

@@ -4,10 +4,10 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <utility>
 
 #include "radiosity/discretization/element_materials.h"
+#include "radiosity/form_factors/surface_part.h"
 #include "radiosity/geometry/convex_part.h"
 #include "radiosity/projection/projection_kinds.h"
 
@@ -29,12 +29,6 @@ glm::dvec2 netPoint(std::uint32_t k) {
   return (glm::dvec2(x, y) + 0.5) / 64.0;
 }
 
-/// Point k of another sequence that is spread evenly, by multiples of 1/p and 1/p^2 with p^3 = p + 1.
-glm::dvec2 spreadPoint(std::uint32_t k) {
-  const glm::dvec2 point = 0.5 + double(k) * glm::dvec2(0.7548776662466927, 0.5698402909980532);
-  return point - glm::floor(point);
-}
-
 using Corners = std::array<glm::dvec3, 3>;
 
 /// Whether two triangles are those of a parallelogram, as the first and the second half of a fan.
@@ -49,14 +43,12 @@ bool isParallelogram(const std::vector<Corners>& triangles, double tolerance) {
 glm::dvec3 pointOf(const std::vector<Corners>& triangles, bool isParallelogram, const glm::dvec2& at) {
   if (isParallelogram)
     return triangles[0][0] + at.x * (triangles[0][1] - triangles[0][0]) + at.y * (triangles[1][2] - triangles[0][0]);
-  std::vector<double> areas;
-  for (const auto& [a, b, c] : triangles) areas.push_back(0.5 * glm::length(glm::cross(b - a, c - a)));
-  double rest = at.x * std::accumulate(areas.begin(), areas.end(), 0.0);
-  std::size_t t = 0;
-  for (; t + 1 < areas.size() && rest >= areas[t]; ++t) rest -= areas[t];
-  const double root = std::sqrt(std::min(rest / areas[t], 1.0));
-  const auto& [a, b, c] = triangles[t];
-  return a + root * ((1 - at.y) * (b - a) + at.y * (c - a));
+  std::vector<SurfacePart::Face> faces;
+  for (const Corners& corners : triangles) {
+    const auto& [a, b, c] = corners;
+    faces.push_back({corners, glm::dvec3(0), 0.5 * glm::length(glm::cross(b - a, c - a))});
+  }
+  return pointAt(faces, at).position;
 }
 
 /// Points near the corners of a face, each once, moved by `lift`.
