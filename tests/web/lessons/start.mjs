@@ -10,11 +10,29 @@ const mostWords = 120;
 
 /** The numbers in the text of a question, and from them: the right answer, and wrong ones with a part of the reply. */
 const questions = {
-  lamp: ([times]) => ({right: times ** 2, wrong: [[times, "two directions"], [times ** 3, "not a volume"]]}),
-  cosine: ([, times]) => ({right: 0.5 / times ** 2, wrong: [[0.5, "the cosine"], [0.5 / times, "the square"]]}),
+  lamp: ([times]) => ({
+    right: times ** 2,
+    wrong: [
+      [times, "two directions"],
+      [times ** 3, "not a volume"],
+    ],
+  }),
+  cosine: ([, times]) => ({
+    right: 0.5 / times ** 2,
+    wrong: [
+      [0.5, "the cosine"],
+      [0.5 / times, "the square"],
+    ],
+  }),
   nusselt: ([degrees]) => {
     const sine = Math.sin((degrees * Math.PI) / 180);
-    return {right: sine ** 2, wrong: [[sine, "radius"], [1 - Math.sqrt(1 - sine ** 2), "hemisphere"]]};
+    return {
+      right: sine ** 2,
+      wrong: [
+        [sine, "radius"],
+        [1 - Math.sqrt(1 - sine ** 2), "hemisphere"],
+      ],
+    };
   },
   hemicube: ([r]) => ({right: 3 * r * r, wrong: [[5 * r * r, "half a cube"]]}),
   "pixel-number": ([bits]) => ({right: 2 ** bits - 1, wrong: [[2 ** bits, "taken"]]}),
@@ -22,17 +40,45 @@ const questions = {
     right: offset + row * width + column,
     wrong: [[row * width + column, "Add the offset"]],
   }),
-  clamp: ([offset, index]) => ({right: 255, wrong: [[offset + index, "nine bits"], [offset + index - 256, "clamps"]]}),
+  clamp: ([offset, index]) => ({
+    right: 255,
+    wrong: [
+      [offset + index, "nine bits"],
+      [offset + index - 256, "clamps"],
+    ],
+  }),
   row: (numbers) => {
-    const r = numbers.at(-1), right = 4e6 / (Math.PI * r * r);
-    return {right, wrong: [[right * Math.PI, "π"], [right / 4, "side 2 / R"]]};
+    const r = numbers.at(-1),
+      right = 4e6 / (Math.PI * r * r);
+    return {
+      right,
+      wrong: [
+        [right * Math.PI, "π"],
+        [right / 4, "side 2 / R"],
+      ],
+    };
   },
   shot: ([flux, share, reflectance]) => ({
     right: (reflectance * share * flux) / 2,
-    wrong: [[reflectance * share * flux, "per area"], [(share * flux) / 2, "leaves it"]],
+    wrong: [
+      [reflectance * share * flux, "per area"],
+      [(share * flux) / 2, "leaves it"],
+    ],
   }),
-  texture: ([first, second]) => ({right: first + (second - first) / 4, wrong: [[first, "nearest"], [(first + second) / 2, "half"]]}),
-  mesh: ([surfaces, side]) => ({right: 2 * surfaces * side * side, wrong: [[surfaces * side * side, "triangles"], [2 * surfaces, "texture"]]}),
+  texture: ([first, second]) => ({
+    right: first + (second - first) / 4,
+    wrong: [
+      [first, "nearest"],
+      [(first + second) / 2, "half"],
+    ],
+  }),
+  mesh: ([surfaces, side]) => ({
+    right: 2 * surfaces * side * side,
+    wrong: [
+      [surfaces * side * side, "triangles"],
+      [2 * surfaces, "texture"],
+    ],
+  }),
   accuracy: ([times]) => ({right: times ** 2, wrong: [[times, "one row"]]}),
 };
 const choices = {
@@ -45,9 +91,16 @@ const names = [...Object.keys(questions), ...Object.keys(choices)];
 const stepOf = (page, name) => page.locator(`#step-${name}`);
 
 async function checkWords(page, {ok, equal}) {
-  const steps = await page.locator("section.step[id]").evaluateAll((all) =>
-    all.map((step) => [step.id.slice(5), step.querySelector(".words > p").innerText.trim().split(/\s+/).length]));
-  equal(steps.map(([name]) => name), names, "the steps");
+  const steps = await page
+    .locator("section.step[id]")
+    .evaluateAll((all) =>
+      all.map((step) => [step.id.slice(5), step.querySelector(".words > p").innerText.trim().split(/\s+/).length]),
+    );
+  equal(
+    steps.map(([name]) => name),
+    names,
+    "the steps",
+  );
   for (const [name, words] of steps) ok(words <= mostWords, `${name}: ${words} words`);
 }
 
@@ -62,7 +115,8 @@ async function checkFigures(page, {until}) {
     const handle = (await slider.count()) ? slider : figure.locator("canvas.pixels, button").first();
     await handle.focus();
     await page.waitForTimeout(100); // the focus ring is drawn
-    const before = await figure.screenshot(), text = await figure.innerText();
+    const before = await figure.screenshot(),
+      text = await figure.innerText();
     if (name === "gpu") await handle.click();
     else await handle.press(name === "fault" ? "ArrowDown" : "ArrowLeft");
     await until(
@@ -116,7 +170,9 @@ async function checkFile(page, {equal, ok, until, value, folder}) {
     change(file);
     const buffer = Buffer.from(JSON.stringify(file));
     await page.getByTestId("checked-file").evaluate((region) => region.replaceChildren());
-    await page.getByLabel("Check the file of a student:").setInputFiles({name: "solved.json", mimeType: "text/json", buffer});
+    await page
+      .getByLabel("Check the file of a student:")
+      .setInputFiles({name: "solved.json", mimeType: "text/json", buffer});
     await until(async () => (await value("checked-file")) !== "", "the file is checked");
     return value("checked-file");
   };
@@ -151,12 +207,18 @@ async function checkOwnScene(page, {equal, ok, until}) {
     const figure = stepOf(page, name).locator(".figure");
     await stepOf(page, name).scrollIntoViewIfNeeded();
     await figure.waitFor();
-    ok(!(await figure.innerText()).includes("cannot be drawn"), `${name} with another scene: ${await figure.innerText()}`);
+    ok(
+      !(await figure.innerText()).includes("cannot be drawn"),
+      `${name} with another scene: ${await figure.innerText()}`,
+    );
   }
   await page.getByRole("button", {name: "The Cornell box again"}).click();
   equal(await page.getByRole("button", {name: "The Cornell box again"}).count(), 0, "the Cornell box again");
   await page.getByLabel("Your own scene (OBJ and MTL):").setInputFiles(["data/pyramid-room.mtl"]);
-  await until(async () => /Choose an OBJ file/.test(await page.getByRole("alert").innerText()), "a file that is no scene");
+  await until(
+    async () => /Choose an OBJ file/.test(await page.getByRole("alert").innerText()),
+    "a file that is no scene",
+  );
   await page.getByRole("button", {name: "Close"}).click();
 }
 
@@ -201,7 +263,12 @@ async function checkAddress(page, {equal, until}) {
 }
 
 async function checkErrors(page, {equal, until}) {
-  await page.evaluate(() => void setTimeout(() => { throw new Error("wrong"); }));
+  await page.evaluate(
+    () =>
+      void setTimeout(() => {
+        throw new Error("wrong");
+      }),
+  );
   await until(async () => /wrong/.test(await page.getByRole("alert").innerText()), "an error is shown");
   await page.getByRole("button", {name: "Close"}).click();
   equal(await page.getByRole("alert").innerText(), "", "the error is closed");
@@ -231,7 +298,9 @@ export default async function check(page, tools) {
   await checkAddress(page, tools);
   await checkErrors(page, tools);
   await checkWithout(page, tools, () => delete globalThis.WebAssembly, "", "This page needs WebAssembly");
-  const noContext = () => (HTMLCanvasElement.prototype.getContext = new Proxy(HTMLCanvasElement.prototype.getContext,
-    {apply: (get, canvas, [kind, ...more]) => (kind === "webgl2" ? null : get.call(canvas, kind, ...more))}));
+  const noContext = () =>
+    (HTMLCanvasElement.prototype.getContext = new Proxy(HTMLCanvasElement.prototype.getContext, {
+      apply: (get, canvas, [kind, ...more]) => (kind === "webgl2" ? null : get.call(canvas, kind, ...more)),
+    }));
   await checkWithout(page, tools, noContext, "?figure=hemicube", "needs WebGL2");
 }

@@ -68,7 +68,8 @@ export default async function check(page, {ok, equal, value, until, open, addres
   const last = await kept();
   // The student's own values of the marked pixel stand under the right ones.
   await changed(() => step.selectOption("9"), "step 10");
-  const noted = (await kept()).replace("        const texel =", "        note(column, row, \"edges\", edges);\n        const texel =");
+  const texelLine = "        const texel =";
+  const noted = (await kept()).replace(texelLine, `        note(column, row, "edges", edges);\n${texelLine}`);
   const affine = noted.replace("floorOfQuotient(coordinate(key, size), depth(1))", "0");
   const verdictOfNoted = await changed(give(affine), "noted code");
   ok(verdictOfNoted.startsWith("Not yet"), verdictOfNoted);

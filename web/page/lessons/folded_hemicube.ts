@@ -36,7 +36,8 @@ export class FoldedHemicube {
     cross.style.visibility = degrees === 0 ? "" : "hidden";
     // Tilted, so that two sides show their inside, and smaller, because raised sides are nearer and must cover no text.
     const tilt = degrees / 5;
-    this.cube.style.transform = `scale(${1 - 0.25 * Math.sin((Math.PI * degrees) / 180)}) rotateX(${-tilt}deg) rotateY(${tilt}deg)`;
+    const scale = 1 - 0.25 * Math.sin((Math.PI * degrees) / 180);
+    this.cube.style.transform = `scale(${scale}) rotateX(${-tilt}deg) rotateY(${tilt}deg)`;
     const quarter = cross.width / 4;
     faces.forEach(({box, axis, sign}, face) => {
       const canvas = this.canvases[face];

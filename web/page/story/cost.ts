@@ -1,10 +1,11 @@
 // Steps about cost: triangles by texture and by mesh, and the error of a hemicube over its resolution.
-import {slider, status} from "../controls";
+import {status} from "../controls";
 import type {Scene} from "../core";
 import {shortNumber, sum} from "../numbers";
 import {Plot, type Point} from "../plot";
 import {factorFromPoint, type Point3} from "./drawing";
 import type {Step, StoryPage} from "./step";
+import {addHandle} from "./handle";
 
 const powers = {min: 0, max: 6, step: 1}; // 1 to 64 elements along a side
 const ways = ["texture", "mesh"] as const;
@@ -25,29 +26,41 @@ export const mesh: Step = {
     of the room, but not on the number of elements: a hundred cost the same as a million.`,
   paper: "sections 3.1 and 4",
   source: "radiosity/index_maps/scene_draw_list.cpp",
-  figure(root, {scene, state}) {
-    const plot = new Plot(root, {label: "Triangles over elements", x: "elements", y: "triangles", logarithmicX: true, logarithmicY: true});
+  figure(root, page) {
+    const {scene} = page;
+    const plot = new Plot(root, {
+      label: "Triangles over elements",
+      x: "elements",
+      y: "triangles",
+      logarithmicX: true,
+      logarithmicY: true,
+    });
     const found = status(root, "mesh-triangles");
     const known: {count: number; triangles: number[]}[] = [];
     const draw = (power: number) => {
       while (known.length <= power) known.push(trianglesOf(scene, known.length));
       const {count, triangles} = known[power];
       plot.set([
-        ...ways.map((name, way) => ({name, points: known.slice(0, power + 1).map((one): Point => [one.count, one.triangles[way]])})),
+        ...ways.map((name, way) => ({
+          name,
+          points: known.slice(0, power + 1).map((one): Point => [one.count, one.triangles[way]]),
+        })),
         {name: "shown", points: ways.map((_, way): Point => [count, triangles[way]]), isMarked: true},
       ]);
       found.set(`${count} elements: ${triangles[0]} triangles by texture, ${triangles[1]} by mesh.`);
     };
-    const value = state.number("mesh", 3, powers);
-    slider(root, {label: "Elements per surface", ...powers, value, show: (p) => `${2 ** p} × ${2 ** p}`}, (to) => {
-      state.set("mesh", to);
-      draw(to);
-    });
-    draw(value);
+    addHandle(
+      root,
+      page,
+      "mesh",
+      {label: "Elements per surface", range: powers, otherwise: 3, show: (p) => `${2 ** p} × ${2 ** p}`},
+      draw,
+    );
     return () => plot.dispose();
   },
   question(draw) {
-    const surfaces = draw(6, 20), side = 2 ** draw(5, 8);
+    const surfaces = draw(6, 20),
+      side = 2 ** draw(5, 8);
     return {
       text: `A room has ${surfaces} rectangles with ${side} × ${side} elements each. How many triangles does a mesh of
         squares have, two for each element?`,
@@ -83,7 +96,12 @@ const resolutions = {min: 2, max: 9, step: 1}; // powers of two
 
 /** The mean of the closed form over the middles of the elements of the lower square. */
 function factorBetweenSquares(texels: number): number {
-  const high: Point3[] = [[0, 0, 1], [1, 0, 1], [1, 1, 1], [0, 1, 1]];
+  const high: Point3[] = [
+    [0, 0, 1],
+    [1, 0, 1],
+    [1, 1, 1],
+    [0, 1, 1],
+  ];
   const middles = Array.from({length: texels ** 2}, (_, k): Point3 => [
     ((k % texels) + 0.5) / texels,
     (Math.floor(k / texels) + 0.5) / texels,
@@ -101,7 +119,8 @@ interface Tried {
 /** The form factor from one square to the other by hemicubes, less the closed form. */
 function errorsOfSquares({core}: StoryPage): Tried[] {
   const elements = core.loadScene({"squares.obj": squaresText}, "squares.obj").discretize({texels, patch: 1});
-  const truth = factorBetweenSquares(texels), {first_element, element_count} = elements.info().surfaces[1];
+  const truth = factorBetweenSquares(texels),
+    {first_element, element_count} = elements.info().surfaces[1];
   return Array.from({length: resolutions.max - resolutions.min + 1}, (_, k) => {
     const resolution = 2 ** (resolutions.min + k);
     const row = elements.row({surface: "low"}, {resolution, rotated: false, split: 1});
@@ -122,20 +141,32 @@ export const accuracy: Step = {
   source: "docs/accuracy.md",
   figure(root, page) {
     const tried = errorsOfSquares(page);
-    const plot = new Plot(root, {label: "Error over resolution", x: "resolution R", y: "relative error", logarithmicX: true, logarithmicY: true});
+    const plot = new Plot(root, {
+      label: "Error over resolution",
+      x: "resolution R",
+      y: "relative error",
+      logarithmicX: true,
+      logarithmicY: true,
+    });
     const found = status(root, "accuracy-error");
     const draw = (power: number) => {
       const {resolution, error, milliseconds} = tried[power - resolutions.min];
       const points = tried.map((one): Point => [one.resolution, one.error]);
-      plot.set([{name: "error", points}, {name: "shown", points: [[resolution, error]], isMarked: true}]);
-      found.set(`R = ${resolution}: ${shortNumber(100 * error)} % wrong, ${shortNumber(milliseconds)} ms for 64 hemicubes.`);
+      plot.set([
+        {name: "error", points},
+        {name: "shown", points: [[resolution, error]], isMarked: true},
+      ]);
+      found.set(
+        `R = ${resolution}: ${shortNumber(100 * error)} % wrong, ${shortNumber(milliseconds)} ms for 64 hemicubes.`,
+      );
     };
-    const value = page.state.number("accuracy", 5, resolutions);
-    slider(root, {label: "Resolution R", ...resolutions, value, show: (p) => String(2 ** p)}, (to) => {
-      page.state.set("accuracy", to);
-      draw(to);
-    });
-    draw(value);
+    addHandle(
+      root,
+      page,
+      "accuracy",
+      {label: "Resolution R", range: resolutions, otherwise: 5, show: (p) => String(2 ** p)},
+      draw,
+    );
     return () => plot.dispose();
   },
   question(draw) {

@@ -45,7 +45,8 @@ export function factorFromPoint(eye: Point3, corners: Point3[]): number {
   const rays = corners.map((corner) => corner.map((value, axis) => value - eye[axis]));
   const sum = rays.reduce((total, [ax, ay, az], k) => {
     const [bx, by, bz] = rays[(k + 1) % rays.length];
-    const cross = [ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx], length = Math.hypot(...cross);
+    const cross = [ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx],
+      length = Math.hypot(...cross);
     return total + (Math.atan2(length, ax * bx + ay * by + az * bz) * cross[2]) / length;
   }, 0);
   return Math.abs(sum) / (2 * Math.PI);

@@ -1,5 +1,5 @@
 // Steps about the hemicube: how it stands in the room, what its pixels hold, and the row that they add up to.
-import {element, slider, status} from "../controls";
+import {element, status} from "../controls";
 import type {HemicubeFace, Vec3} from "../core";
 import {backgroundColour, cssColour, texelColour} from "../lessons/element_colours";
 import {FoldedHemicube} from "../lessons/folded_hemicube";
@@ -9,12 +9,14 @@ import {SceneView} from "../scene_view";
 import {drawing, label} from "./drawing";
 import {roomOf, type Room} from "./room";
 import type {Step} from "./step";
+import {addHandle} from "./handle";
 
 const resolution = 64;
 
 /** The pixels of the cross, of which `isShown` says which are bright; the order is that of a sum over all faces. */
 function crossColours(room: Room, isShown: (face: number, pixel: number) => boolean): Uint8ClampedArray {
-  const cross = unfoldedHemicube(resolution), {faces} = room.hemicube(resolution);
+  const cross = unfoldedHemicube(resolution),
+    {faces} = room.hemicube(resolution);
   const colours = room.bytes();
   const pixels = new Uint8ClampedArray(4 * cross.length);
   cross.forEach((place, i) => {
@@ -34,7 +36,8 @@ function crossPicture(parent: HTMLElement): PixelCanvas {
 /** The pixels of a face as a picture. */
 function facePicture(room: Room, {elements, width, height}: HemicubeFace): HTMLCanvasElement {
   const picture = Object.assign(document.createElement("canvas"), {width, height});
-  const image = new ImageData(width, height), colours = room.bytes();
+  const image = new ImageData(width, height),
+    colours = room.bytes();
   elements.forEach((shown, pixel) => {
     const line = height - 1 - Math.floor(pixel / width);
     image.data.set(colours[shown], 4 * (line * width + (pixel % width)));
@@ -50,7 +53,9 @@ function stand(view: SceneView, room: Room): void {
   const size = room.scene.info().extent / 16;
   vector.faces.forEach(({eye = vector.eye, x, y, w}, k) => {
     const low = k === 0 ? -1 : 0;
-    const corner = eye.map((value, axis) => value + vector.origin[axis] + size * (w[axis] - x[axis] + low * y[axis])) as Vec3;
+    const corner = eye.map(
+      (value, axis) => value + vector.origin[axis] + size * (w[axis] - x[axis] + low * y[axis]),
+    ) as Vec3;
     const along = (axis: Vec3, times: number) => axis.map((value) => times * size * value) as Vec3;
     view.addPicture(facePicture(room, faces[k]), corner, along(x, 2), along(y, k === 0 ? 2 : 1));
   });
@@ -65,7 +70,8 @@ export const hemicube: Step = {
     cube stands in the room, over its patch. On the right you look into it from below: unfold it.`,
   paper: "section 3.1, after Cohen and Greenberg 1985",
   source: "radiosity/projection/projection_kinds.cpp",
-  figure(root, {scene, state}) {
+  figure(root, page) {
+    const {scene} = page;
     const room = roomOf(scene);
     const both = element(root, "div", {className: "side-by-side"});
     const view = new SceneView(both, {label: "The room and the patch", scene, elements: room.elements});
@@ -76,12 +82,13 @@ export const hemicube: Step = {
     const picture = crossPicture(box);
     picture.show(crossColours(room, () => true));
     const folded = new FoldedHemicube(box);
-    const value = state.number("hemicube", 45, {min: 0, max: 90, step: 5});
-    slider(root, {label: "Fold", min: 0, max: 90, step: 5, value, show: (d) => `${d}°`}, (to) => {
-      state.set("hemicube", to);
-      folded.show(picture.canvas, to);
-    });
-    folded.show(picture.canvas, value);
+    addHandle(
+      root,
+      page,
+      "hemicube",
+      {label: "Fold", range: {min: 0, max: 90, step: 5}, otherwise: 45, show: (d) => `${d}°`},
+      (to) => folded.show(picture.canvas, to),
+    );
     return () => view.dispose();
   },
   question(draw) {
@@ -107,12 +114,18 @@ export const pixelNumber: Step = {
   paper: "section 3",
   source: "raster/interface/item_id.h",
   figure(root, {scene, state}) {
-    const room = roomOf(scene), columns = 32;
+    const room = roomOf(scene),
+      columns = 32;
     const face = room.hemicube(columns).faces[0].elements;
     // As seen from below: columns of a face run to the left.
     const elements = face.map((_, pixel) => face[pixel - (pixel % columns) + columns - 1 - (pixel % columns)]);
     const colours = room.bytes();
-    const picture = new PixelCanvas(root, {label: "The top face: a number per pixel", columns, rows: columns, size: 384});
+    const picture = new PixelCanvas(root, {
+      label: "The top face: a number per pixel",
+      columns,
+      rows: columns,
+      size: 384,
+    });
     picture.show(Uint8ClampedArray.from([...elements].flatMap((shown) => colours[shown])));
     const found = status(root, "pixel-number-shown");
     const point = (column: number, line: number) => {
@@ -133,7 +146,8 @@ export const pixelNumber: Step = {
       answer: () => 2 ** bits - 1,
       tolerance: 0,
       why: `${bits} bits have 2<sup>${bits}</sup> = ${2 ** bits} values.`,
-      whyNot: (value) => (value === 2 ** bits ? "One of these numbers is taken: what does a pixel of the sky hold?" : undefined),
+      whyNot: (value) =>
+        value === 2 ** bits ? "One of these numbers is taken: what does a pixel of the sky hold?" : undefined,
     };
   },
 };
@@ -149,18 +163,23 @@ function partOfRow(room: Room, share: number): {bars: Bar[]; total: number; last
   const {faces} = room.hemicube(resolution);
   const sums = new Map<string, number>(room.names.map((name) => [name, 0]));
   const count = Math.round(share * 3 * resolution ** 2);
-  let done = 0, total = 0;
+  let done = 0,
+    total = 0;
   let last: [number, number] = [0, -1];
   faces.forEach(({elements, weights}, face) => {
     for (let pixel = 0; pixel < elements.length && done < count; ++pixel, ++done) {
-      const shown = elements[pixel], name = shown >= 0 ? room.surfaceOf(shown) : "outside";
+      const shown = elements[pixel],
+        name = shown >= 0 ? room.surfaceOf(shown) : "outside";
       sums.set(name, (sums.get(name) ?? 0) + weights[pixel]);
       total += weights[pixel];
       last = [face, pixel];
     }
   });
-  const colour = (name: string) => cssColour(name === "outside" ? backgroundColour : texelColour(room.hueOf(name), 1, 1, 0));
-  const bars = [...sums].filter(([, sum]) => sum > 0 || share === 1).map(([name, sum]) => ({name, share: sum, colour: colour(name)}));
+  const colour = (name: string) =>
+    cssColour(name === "outside" ? backgroundColour : texelColour(room.hueOf(name), 1, 1, 0));
+  const bars = [...sums]
+    .filter(([, sum]) => sum > 0 || share === 1)
+    .map(([name, sum]) => ({name, share: sum, colour: colour(name)}));
   return {bars, total, last};
 }
 
@@ -174,7 +193,8 @@ export const row: Step = {
     to 1: no light is lost.`,
   paper: "section 3.1",
   source: "radiosity/form_factors/item_buffer_sum.h",
-  figure(root, {scene, state}) {
+  figure(root, page) {
+    const {scene} = page;
     const room = roomOf(scene);
     const both = element(root, "div", {className: "side-by-side"});
     const picture = crossPicture(element(both, "div"));
@@ -196,12 +216,13 @@ export const row: Step = {
       );
       found.set(`${percent} % of the pixels carry ${total.toFixed(4)} of the light.`);
     };
-    const value = state.number("row", 40, {min: 0, max: 100, step: 1});
-    slider(root, {label: "Pixels that are added", min: 0, max: 100, step: 1, value, show: (p) => `${p} %`}, (to) => {
-      state.set("row", to);
-      draw(to);
-    });
-    draw(value);
+    addHandle(
+      root,
+      page,
+      "row",
+      {label: "Pixels that are added", range: {min: 0, max: 100, step: 1}, otherwise: 40, show: (p) => `${p} %`},
+      draw,
+    );
   },
   question(draw) {
     const r = 64 * draw(1, 4);

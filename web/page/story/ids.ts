@@ -1,13 +1,15 @@
 // Steps about numbers in pixels: index map, offset, clamp and alignment.
-import {slider, status} from "../controls";
+import {status} from "../controls";
 import {drawing, label} from "./drawing";
 import type {Step} from "./step";
+import {addHandle} from "./handle";
 
 const side = 4; // texels
 
 function cells(x: number, numberOf: (index: number) => number, hue: string): string {
   return Array.from({length: side * side}, (_, index) => {
-    const left = x + 28 * (index % side), top = 40 + 28 * (side - 1 - Math.floor(index / side));
+    const left = x + 28 * (index % side),
+      top = 40 + 28 * (side - 1 - Math.floor(index / side));
     return (
       `<rect x="${left}" y="${top}" width="28" height="28" fill="${hue}" stroke="var(--page)"/>` +
       `<text x="${left + 14}" y="${top + 19}" text-anchor="middle" font-size="12" fill="#000">${numberOf(index)}</text>`
@@ -25,7 +27,7 @@ export const indexMap: Step = {
     32 is number 37. The surface is never cut, however many elements it has.`,
   paper: "sections 3.1 and 3.2",
   source: "radiosity/index_maps/id_layout.h",
-  figure(root, {state}) {
+  figure(root, page) {
     const show = drawing(root, "Index map plus offset gives item IDs", 400, 170);
     const draw = (offset: number) =>
       show(
@@ -35,15 +37,19 @@ export const indexMap: Step = {
           label([230, 26], "numbers of elements", 'font-size="14"') +
           cells(230, (index) => offset + index, "#e8b45a"),
       );
-    const value = state.number("index-map", 32, {min: 0, max: 240, step: 16});
-    slider(root, {label: "Offset of the surface", min: 0, max: 240, step: 16, value}, (to) => {
-      state.set("index-map", to);
-      draw(to);
-    });
-    draw(value);
+    addHandle(
+      root,
+      page,
+      "index-map",
+      {label: "Offset of the surface", range: {min: 0, max: 240, step: 16}, otherwise: 32},
+      draw,
+    );
   },
   question(draw) {
-    const width = draw(4, 9), column = draw(1, 3), row = draw(1, 3), offset = 64 * draw(1, 3);
+    const width = draw(4, 9),
+      column = draw(1, 3),
+      row = draw(1, 3),
+      offset = 64 * draw(1, 3);
     const id = offset + row * width + column;
     return {
       text: `The map is ${width} texels wide, rows and columns count from 0, the offset is ${offset}. Which number has
@@ -84,15 +90,22 @@ export const clamp: Step = {
     Find the offsets for which no box is red.`,
   paper: "section 3.2",
   source: "raster/interface/item_id.h",
-  figure(root, {core, state}) {
+  figure(root, page) {
+    const {core} = page;
     const show = drawing(root, "Offset plus index in binary", 400, 150);
     const found = status(root, "clamp-sum");
     const draw = (offset: number) => {
       const result = core.blend("r8g8b8a8", "clamped-add", offset, index);
       const meets = (bit: number) => ((offset & index) >> bit) % 2 === 1;
       const row = (name: string, value: number, y: number, isRed: (bit: number) => boolean) =>
-        label([4, y + 21], name, 'font-size="14"') + bits(value, y, isRed) + label([344, y + 21], String(value), 'font-size="15"');
-      show(row("offset", offset, 5, meets) + row("+ index", index, 45, meets) + row("pixel", result, 100, () => result !== offset + index));
+        label([4, y + 21], name, 'font-size="14"') +
+        bits(value, y, isRed) +
+        label([344, y + 21], String(value), 'font-size="15"');
+      show(
+        row("offset", offset, 5, meets) +
+          row("+ index", index, 45, meets) +
+          row("pixel", result, 100, () => result !== offset + index),
+      );
       found.set(
         result !== offset + index
           ? `${offset} + ${index} = ${offset + index}, but the pixel holds ${result}: the clamp lost a carry.`
@@ -101,15 +114,11 @@ export const clamp: Step = {
             : `${offset} + ${index} = ${result} is right, but another index may be lost.`,
       );
     };
-    const value = state.number("clamp", 200, {min: 0, max: 255, step: 1});
-    slider(root, {label: "Offset", min: 0, max: 255, step: 1, value}, (to) => {
-      state.set("clamp", to);
-      draw(to);
-    });
-    draw(value);
+    addHandle(root, page, "clamp", {label: "Offset", range: {min: 0, max: 255, step: 1}, otherwise: 200}, draw);
   },
   question(draw, {core}) {
-    const offset = draw(197, 230), sum = offset + index;
+    const offset = draw(197, 230),
+      sum = offset + index;
     return {
       text: `One channel of eight bits: offset ${offset}, index ${index}. What does the pixel hold?`,
       answer: () => core.blend("r8g8b8a8", "clamped-add", offset, index),

@@ -1,6 +1,6 @@
 // The last steps: a faulty device, the student's own rasterizer, and the visitor's GPU.
 import {Comparison} from "../comparison";
-import {button, choice, slider, status, text} from "../controls";
+import {button, choice, status, text} from "../controls";
 import type {Core, Vector} from "../core";
 import {drawWithFault} from "../faulty_device";
 import {openDevice} from "../trial/devices";
@@ -8,6 +8,7 @@ import {Sandbox} from "../write_it/sandbox";
 import {allSteps, startOf} from "../write_it/steps";
 import {viewsOf} from "../write_it/views";
 import type {Step} from "./step";
+import {addHandle} from "./handle";
 
 /** Faults, and vectors that show them. */
 const faults: Record<string, string> = {
@@ -24,7 +25,8 @@ function suiteVector(core: Core, name: string): Vector {
 }
 
 function show(comparison: Comparison, vector: Vector, found: Uint32Array, face = 0): number {
-  const expected = vector.render()[face], {background, faces} = vector.json();
+  const expected = vector.render()[face],
+    {background, faces} = vector.json();
   const [, , columns, rows] = faces[face].scissor;
   comparison.show({columns, rows, background, expected, found});
   return expected.filter((id, pixel) => id !== found[pixel]).length;
@@ -47,9 +49,11 @@ export const fault: Step = {
       state.set("fault", to);
       draw(to);
     });
-    const comparison = new Comparison(root, 170), found = status(root, "fault-pixels");
+    const comparison = new Comparison(root, 170),
+      found = status(root, "fault-pixels");
     const draw = (name: string) => {
-      const vector = suiteVector(core, faults[name]), answers = drawWithFault(vector, name);
+      const vector = suiteVector(core, faults[name]),
+        answers = drawWithFault(vector, name);
       const wrong = show(comparison, vector, answers[0]);
       found.set(`${wrong} wrong pixels. The diagnosis: ${vector.judge(answers, {}).findings() || "no fault"}`);
     };
@@ -82,8 +86,10 @@ export const write: Step = {
     hold.`,
   paper: "the whole paper",
   source: "raster/plain/rules.h",
-  figure(root, {core, state}) {
-    const comparison = new Comparison(root, 170), found = status(root, "write-step");
+  figure(root, page) {
+    const {core} = page;
+    const comparison = new Comparison(root, 170),
+      found = status(root, "write-step");
     const vector = suiteVector(core, "perspective-clipped");
     const rasterizers = allSteps.filter(({light}) => !light).length;
     let wanted = 0;
@@ -100,12 +106,13 @@ export const write: Step = {
         sandbox.end();
       }
     };
-    const range = {min: 0, max: rasterizers, step: 1}, value = state.number("write", 9, range);
-    slider(root, {label: "Steps done", ...range, value}, (to) => {
-      state.set("write", to);
-      void draw(to);
-    });
-    void draw(value);
+    addHandle(
+      root,
+      page,
+      "write",
+      {label: "Steps done", range: {min: 0, max: rasterizers, step: 1}, otherwise: 9},
+      (to) => void draw(to),
+    );
   },
   question: () => ({
     text: "Two triangles share an edge that passes through the centre of a pixel. How often must it be drawn?",
@@ -132,7 +139,8 @@ export const gpu: Step = {
     const found = status(root, "gpu-pixels");
     button(root, "Draw twenty test vectors", async () => {
       try {
-        const device = await openDevice("webgl2"), counts = {exact: 0, explained: 0, errors: 0};
+        const device = await openDevice("webgl2"),
+          counts = {exact: 0, explained: 0, errors: 0};
         for (const vector of core.suite().slice(0, shownVectors)) {
           const {pixels} = vector.judge(await device.draw(vector), {}).json();
           const all = Object.values(pixels).reduce((total, count) => total + count, 0);

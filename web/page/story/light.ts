@@ -1,7 +1,19 @@
 // The first steps: how much of a lamp's light arrives at a small part of a wall.
-import {slider, status} from "../controls";
-import {border, drawing, factorFromPoint, label, line, polygon, polyline, seen, type Point2, type Point3} from "./drawing";
+import {status} from "../controls";
+import {
+  border,
+  drawing,
+  factorFromPoint,
+  label,
+  line,
+  polygon,
+  polyline,
+  seen,
+  type Point2,
+  type Point3,
+} from "./drawing";
 import type {Step} from "./step";
+import {addHandle} from "./handle";
 
 const rays = 'stroke="var(--lamp)" stroke-width="1"';
 const surface = 'stroke="var(--text)" stroke-width="4" stroke-linecap="round"';
@@ -15,12 +27,16 @@ export const lamp: Step = {
     surfaces which share of the light of one arrives at the other.`,
   paper: "known before it",
   source: "docs/light.md",
-  figure(root, {state}) {
+  figure(root, page) {
     const show = drawing(root, "A lamp, and an element of a wall that moves away", 400, 200);
     const found = status(root, "lamp-share");
     const draw = (distance: number) => {
-      const x = 30 + 85 * distance, half = 20; // the cone covers the element at distance 1
-      const coneAt = (to: number): Point2[] => [[to, 100 - (half * (to - 30)) / 85], [to, 100 + (half * (to - 30)) / 85]];
+      const x = 30 + 85 * distance,
+        half = 20; // the cone covers the element at distance 1
+      const coneAt = (to: number): Point2[] => [
+        [to, 100 - (half * (to - 30)) / 85],
+        [to, 100 + (half * (to - 30)) / 85],
+      ];
       const [top, bottom] = coneAt(x);
       show(
         polygon([[30, 100], ...coneAt(390)], 'fill="var(--lamp)" opacity="0.2"') +
@@ -33,12 +49,13 @@ export const lamp: Step = {
       const height = distance.toFixed(1);
       found.set(`The light covers ${height} × ${height} elements: each gets ${(1 / distance ** 2).toFixed(3)} of it.`);
     };
-    const value = state.number("lamp", 1.5, {min: 1, max: 4, step: 0.1});
-    slider(root, {label: "Distance of the wall", min: 1, max: 4, step: 0.1, value, show: (d) => d.toFixed(1)}, (to) => {
-      state.set("lamp", to);
-      draw(to);
-    });
-    draw(value);
+    addHandle(
+      root,
+      page,
+      "lamp",
+      {label: "Distance of the wall", range: {min: 1, max: 4, step: 0.1}, otherwise: 1.5, show: (d) => d.toFixed(1)},
+      draw,
+    );
   },
   question(draw) {
     const times = draw(3, 9);
@@ -69,31 +86,38 @@ export const cosine: Step = {
     <msup><mi>d</mi><mn>2</mn></msup><mo stretchy="false">)</mo></math>`,
   paper: "known before it",
   source: "reference/truth/closed_forms/README.md",
-  figure(root, {state}) {
+  figure(root, page) {
     const show = drawing(root, "A beam of parallel rays meets an element that turns", 400, 200);
     const found = status(root, "cosine-share");
     const draw = (degrees: number) => {
-      const angle = (degrees * Math.PI) / 180, half = 70;
+      const angle = (degrees * Math.PI) / 180,
+        half = 70;
       const [dx, dy] = [half * Math.sin(angle), half * Math.cos(angle)];
       const beam = Array.from({length: 19}, (_, k) => {
-        const y = 10 + 10 * k, isMet = Math.abs(y - 100) <= dy;
+        const y = 10 + 10 * k,
+          isMet = Math.abs(y - 100) <= dy;
         const end = isMet ? 260 + (dx * (y - 100)) / Math.max(dy, 1e-9) : 390;
         return line([10, y], [end, y], `${rays} opacity="${isMet ? 1 : 0.25}"`);
       });
       show(
         beam.join("") +
           line([260 - dx, 100 - dy], [260 + dx, 100 + dy], surface) +
-          line([260, 100], [260 - 60 * Math.cos(angle), 100 + 60 * Math.sin(angle)], 'stroke="var(--accent)" stroke-width="2"') +
+          line(
+            [260, 100],
+            [260 - 60 * Math.cos(angle), 100 + 60 * Math.sin(angle)],
+            'stroke="var(--accent)" stroke-width="2"',
+          ) +
           label([268, 96], `θ = ${degrees}°`, 'font-size="14"'),
       );
       found.set(`cos ${degrees}° = ${Math.cos(angle).toFixed(3)}: this share of the light that it gets upright.`);
     };
-    const value = state.number("cosine", 40, {min: 0, max: 90, step: 1});
-    slider(root, {label: "Angle θ", min: 0, max: 90, step: 1, value, show: (d) => `${d}°`}, (to) => {
-      state.set("cosine", to);
-      draw(to);
-    });
-    draw(value);
+    addHandle(
+      root,
+      page,
+      "cosine",
+      {label: "Angle θ", range: {min: 0, max: 90, step: 1}, otherwise: 40, show: (d) => `${d}°`},
+      draw,
+    );
   },
   question(draw) {
     const distance = draw(2, 4);
@@ -116,7 +140,12 @@ export const cosine: Step = {
 
 /** A square of side 1 at height 1, its centre at x. */
 function squareAt(x: number): Point3[] {
-  return [[x - 0.5, -0.5, 1], [x + 0.5, -0.5, 1], [x + 0.5, 0.5, 1], [x - 0.5, 0.5, 1]];
+  return [
+    [x - 0.5, -0.5, 1],
+    [x + 0.5, -0.5, 1],
+    [x + 0.5, 0.5, 1],
+    [x - 0.5, 0.5, 1],
+  ];
 }
 
 function onHemisphere(point: Point3): Point3 {
@@ -130,7 +159,8 @@ function circle(of: (angle: number) => Point3, from: number, to: number): Point3
 
 function nusseltDrawing(x: number): string {
   const place = (points: Point3[]) => points.map((point) => seen(point, [190, 205], 95));
-  const square = border(squareAt(x), 16), image = square.map(onHemisphere);
+  const square = border(squareAt(x), 16),
+    image = square.map(onHemisphere);
   const shadow = image.map(([a, b]): Point3 => [a, b, 0]);
   const thin = 'stroke="var(--quiet)" stroke-width="1"';
   const disc = circle((t) => [Math.cos(t), Math.sin(t), 0], 0, 2 * Math.PI);
@@ -163,19 +193,25 @@ export const nusselt: Step = {
     the same form factor.`,
   paper: "known before it (Nusselt 1928)",
   source: "docs/accuracy.md",
-  figure(root, {state}) {
+  figure(root, page) {
     const show = drawing(root, "A square, its image on the hemisphere, and the area below it on the disc", 400, 240);
     const found = status(root, "nusselt-share");
     const draw = (x: number) => {
       show(nusseltDrawing(x));
       found.set(`The blue area is F = ${factorFromPoint([0, 0, 0], squareAt(x)).toFixed(4)} of the disc.`);
     };
-    const value = state.number("nusselt", 0.3, {min: -1.5, max: 1.5, step: 0.05});
-    slider(root, {label: "Place of the square", min: -1.5, max: 1.5, step: 0.05, value, show: (x) => x.toFixed(2)}, (to) => {
-      state.set("nusselt", to);
-      draw(to);
-    });
-    draw(value);
+    addHandle(
+      root,
+      page,
+      "nusselt",
+      {
+        label: "Place of the square",
+        range: {min: -1.5, max: 1.5, step: 0.05},
+        otherwise: 0.3,
+        show: (x) => x.toFixed(2),
+      },
+      draw,
+    );
   },
   question(draw) {
     const degrees = [30, 45, 60][draw(0, 2)];

@@ -12,7 +12,10 @@ export class Room {
   readonly names: string[]; // of surfaces; the parts of one count as one
   readonly source: number; // the element over which the hemicube stands
 
-  constructor(readonly scene: Scene, texelsPerSide = 8) {
+  constructor(
+    readonly scene: Scene,
+    texelsPerSide = 8,
+  ) {
     this.elements = scene.discretize({texels: texelsPerSide});
     this.texels = new Texels(this.elements);
     const {surfaces} = this.texels.info;

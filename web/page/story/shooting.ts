@@ -1,10 +1,11 @@
 // Steps about light: shots, and the texture that shows radiosity on a wall.
 import {encodeSrgb, exposureOf, litColours} from "../colours";
-import {element, slider, status} from "../controls";
+import {element, status} from "../controls";
 import type {Scene, Solution} from "../core";
 import {sum} from "../numbers";
 import {SceneView} from "../scene_view";
 import type {Step} from "./step";
+import {addHandle} from "./handle";
 
 const lastShot = 120;
 const shownShots = [...Array(20).keys(), ...Array.from({length: 20}, (_, k) => 20 + 5 * k), lastShot];
@@ -43,7 +44,8 @@ export const shot: Step = {
     first shots bring most of the light.`,
   paper: "section 3",
   source: "radiosity/solver/progressive_solver.cpp",
-  figure(root, {scene, state}) {
+  figure(root, page) {
+    const {scene} = page;
     const shots = shootAll(scene);
     const view = new SceneView(root, {label: "The room, lit shot by shot", scene, elements: shots.solution.elements()});
     const found = status(root, "shot-unshot");
@@ -52,17 +54,24 @@ export const shot: Step = {
       view.setColours(litColours(shots.radiosity[k], exposure));
       found.set(`After ${shownShots[k]} shots ${(100 * shots.unshot[k]).toFixed(1)} % of the light is unshot.`);
     };
-    const range = {min: 0, max: shownShots.length - 1, step: 1};
-    const value = state.number("shot", 16, range);
-    slider(root, {label: "Shots", ...range, value, show: (k) => String(shownShots[k])}, (to) => {
-      state.set("shot", to);
-      draw(to);
-    });
-    draw(value);
+    addHandle(
+      root,
+      page,
+      "shot",
+      {
+        label: "Shots",
+        range: {min: 0, max: shownShots.length - 1, step: 1},
+        otherwise: 16,
+        show: (k) => String(shownShots[k]),
+      },
+      draw,
+    );
     return () => view.dispose();
   },
   question(draw) {
-    const flux = 10 * draw(2, 9), reflectance = draw(3, 7) / 10, share = draw(1, 4) / 10;
+    const flux = 10 * draw(2, 9),
+      reflectance = draw(3, 7) / 10,
+      share = draw(1, 4) / 10;
     return {
       text: `A patch shoots ${flux} W. An element with F = ${share}, ρ = ${reflectance} and an area of 2 m² receives its
         share. By how many W/m² does its radiosity grow?`,
@@ -92,7 +101,8 @@ function textureOf(scene: Scene, surfaceName: string, texels: number): ImageData
   const image = new ImageData(columns, rows);
   elements.geometry(surface).elementOfTexel.forEach((element, texel) => {
     const at = 4 * ((rows - 1 - Math.floor(texel / columns)) * columns + (texel % columns));
-    const value = (band: number) => (element === 0xffffffff ? 0 : 255 * encodeSrgb(exposure * radiosity[3 * element + band]));
+    const value = (band: number) =>
+      element === 0xffffffff ? 0 : 255 * encodeSrgb(exposure * radiosity[3 * element + band]);
     image.data.set([value(0), value(1), value(2), 255], at);
   });
   return image;
@@ -103,7 +113,8 @@ function wallOf(scene: Scene): string {
   const {surfaces} = scene.info();
   if (surfaces.some(({name}) => name === "wall-back")) return "wall-back";
   const elements = scene.discretize({texels: 1});
-  const areas = elements.areas(), {surfaces: parts} = elements.info();
+  const areas = elements.areas(),
+    {surfaces: parts} = elements.info();
   const dark = parts.filter(({emission}) => sum(emission) === 0);
   return (dark.length ? dark : parts).reduce((best, one) =>
     areas[one.first_element] > areas[best.first_element] ? one : best,
@@ -120,8 +131,10 @@ export const texture: Step = {
     picture. Nothing is ever cut into a mesh.`,
   paper: "section 3.3",
   source: "radiosity/textures/radiosity_texture.h",
-  figure(root, {scene, state}) {
-    const wall = wallOf(scene), known = new Map<number, ImageData>();
+  figure(root, page) {
+    const {scene} = page;
+    const wall = wallOf(scene),
+      known = new Map<number, ImageData>();
     const both = element(root, "div", {className: "side-by-side"});
     const canvases = ["nearest texel", "filtered"].map((name) => {
       const figure = element(both, "figure");
@@ -141,12 +154,13 @@ export const texture: Step = {
         context.drawImage(small, 0, 0, canvas.width, canvas.height);
       });
     };
-    const value = state.number("texture", 4, powers);
-    slider(root, {label: "Texels", ...powers, value, show: (power) => `${2 ** power} × ${2 ** power}`}, (to) => {
-      state.set("texture", to);
-      draw(to);
-    });
-    draw(value);
+    addHandle(
+      root,
+      page,
+      "texture",
+      {label: "Texels", range: powers, otherwise: 4, show: (power) => `${2 ** power} × ${2 ** power}`},
+      draw,
+    );
   },
   question(draw) {
     const [first, second] = [10 * draw(1, 4), 10 * draw(5, 9)];

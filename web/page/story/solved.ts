@@ -40,7 +40,10 @@ export class Solved {
   private readonly answers: Map<string, Answer>;
   private shown: Control<string> | undefined;
 
-  constructor(private readonly student: string, private readonly count: number) {
+  constructor(
+    private readonly student: string,
+    private readonly count: number,
+  ) {
     this.answers = new Map(JSON.parse(kept(this.key()) ?? "[]"));
   }
 

@@ -37,7 +37,14 @@ async function loadOwn(core: Core, files: Iterable<File>): Promise<Scene> {
 
 /** Only figures that show the scene load it. */
 function storyPage({core, cornellBox, state}: Page): StoryPage {
-  return {core, cornellBox, state, get scene() { return ownScene ?? cornellBox(); }};
+  return {
+    core,
+    cornellBox,
+    state,
+    get scene() {
+      return ownScene ?? cornellBox();
+    },
+  };
 }
 
 function addFigure(parent: HTMLElement, step: Step, page: StoryPage): () => void {
@@ -56,7 +63,10 @@ class Story {
   private readonly observer: IntersectionObserver;
   private readonly solved: Solved;
 
-  constructor(private readonly root: HTMLElement, private readonly page: Page) {
+  constructor(
+    private readonly root: HTMLElement,
+    private readonly page: Page,
+  ) {
     this.solved = new Solved(studentOf(page), steps.length);
     this.observer = new IntersectionObserver((seen) => this.build(seen), {rootMargin: "400px"});
     this.addStart();
@@ -96,7 +106,9 @@ class Story {
       if (event.type === "drop") void this.use(event.dataTransfer?.files ?? []);
     };
     for (const name of ["dragover", "drop"] as const) document.addEventListener(name, drop);
-    this.ends.push(() => ["dragover", "drop"].forEach((name) => document.removeEventListener(name, drop as EventListener)));
+    this.ends.push(() =>
+      ["dragover", "drop"].forEach((name) => document.removeEventListener(name, drop as EventListener)),
+    );
     if (!ownScene) return;
     button(parent, "The Cornell box again", () => {
       ownScene = undefined;
@@ -129,7 +141,10 @@ class Story {
     const links = row(words);
     element(links, "p", {className: "source", textContent: `Paper: ${step.paper}.`});
     sourceLink(links, step.source, "hemitex");
-    element(element(links, "p", {className: "source"}), "a", {href: `?figure=${step.name}`, textContent: "The figure alone"});
+    element(element(links, "p", {className: "source"}), "a", {
+      href: `?figure=${step.name}`,
+      textContent: "The figure alone",
+    });
     this.observer.observe(place);
   }
 
@@ -183,9 +198,11 @@ export const lesson: Lesson = {
 /** A figure without the rest of the page, as ?figure=NAME asks for; undefined where there is none of this name. */
 export function figureAlone(name: string): Lesson | undefined {
   const step = steps.find((one) => one.name === name);
-  return step && {
-    id: "start",
-    title: step.title,
-    show: (root, page) => addFigure(root, step, storyPage(page)),
-  };
+  return (
+    step && {
+      id: "start",
+      title: step.title,
+      show: (root, page) => addFigure(root, step, storyPage(page)),
+    }
+  );
 }

@@ -39,7 +39,8 @@ export class StudentRoom {
 
   /** For red, green or blue. Scaled so that areas are near 1. */
   band(band: number): StudentElements {
-    const area = this.elements.areas(), largest = largestSize(area);
+    const area = this.elements.areas(),
+      largest = largestSize(area);
     const of = (key: "reflectance" | "emission") =>
       this.elements.info().surfaces.flatMap((surface) => Array<number>(surface.element_count).fill(surface[key][band]));
     const emission = of("emission");
@@ -51,14 +52,17 @@ export class StudentRoom {
 
   /** Form factors from each element to all. */
   rows(): Float64Array[] {
-    return (this.rowsOfCore ??= Array.from({length: this.count}, (_, element) =>
-      this.elements.hemicube(element, {resolution}).formFactors,
+    return (this.rowsOfCore ??= Array.from(
+      {length: this.count},
+      (_, element) => this.elements.hemicube(element, {resolution}).formFactors,
     ));
   }
 
   /** Five views of each element, and how item IDs give elements. */
   forDrawing(): {views: View[][]; indexBits: number; tables: Record<number, number[]>} {
-    const views = Array.from({length: this.count}, (_, element) => viewsOf(this.elements.vector(element, {resolution})));
+    const views = Array.from({length: this.count}, (_, element) =>
+      viewsOf(this.elements.vector(element, {resolution})),
+    );
     const {index_bits: indexBits, pages} = this.elements.ids({});
     const tables = Object.fromEntries(
       pages.map(({offset}, surface): [number, number[]] => [
@@ -82,7 +86,12 @@ function numbers(value: unknown, count: number, what: string): number[] {
 }
 
 /** The first number that is not near to the right one, in words. */
-function firstWrong(found: number[], right: ArrayLike<number>, tolerance: number, name: (k: number) => string): Finding {
+function firstWrong(
+  found: number[],
+  right: ArrayLike<number>,
+  tolerance: number,
+  name: (k: number) => string,
+): Finding {
   const k = found.findIndex((value, i) => !near(value, right[i], tolerance));
   if (k < 0) return {};
   return {wrong: `${name(k)} is ${found[k].toPrecision(4)}, and should be ${right[k].toPrecision(4)}`};
@@ -95,7 +104,8 @@ export const sharesTask: LightTask = async (sandbox, {elements}) => {
       const {weights} = elements.hemicube(0, {resolution: r}).faces[isSide ? 1 : 0];
       const [answer] = await sandbox.call("pixelShares", [[r, isSide]]);
       const found = numbers(answer, weights.length, "pixelShares");
-      const place = (k: number) => `R = ${r}, ${isSide ? "side" : "top"}, pixel (${k % r}, ${Math.floor(k / r)}): the share`;
+      const place = (k: number) =>
+        `R = ${r}, ${isSide ? "side" : "top"}, pixel (${k % r}, ${Math.floor(k / r)}): the share`;
       const finding = firstWrong(found, weights, 2 / r, place); // the core integrates over the pixel
       if (finding.wrong) return finding;
     }
@@ -106,7 +116,10 @@ export const sharesTask: LightTask = async (sandbox, {elements}) => {
 export const rowTask: LightTask = async (sandbox, room) => {
   const small = {shares: [[0.5, 0.25, 0.125, 0.0625]], ids: [[2, -1, 2, 0]]};
   const {faces, formFactors} = room.elements.hemicube(0, {resolution});
-  const whole = {shares: faces.map(({weights}) => Array.from(weights)), ids: faces.map((face) => Array.from(face.elements))};
+  const whole = {
+    shares: faces.map(({weights}) => Array.from(weights)),
+    ids: faces.map((face) => Array.from(face.elements)),
+  };
   const calls: [typeof small, number, ArrayLike<number>][] = [
     [small, 3, [0.0625, 0, 0.625]],
     [whole, room.count, formFactors],
@@ -138,9 +151,13 @@ const largestFlux = ({unshot, area}: StudentElements) =>
 
 export const brightestTask: LightTask = async (sandbox) => {
   for (let seed = 0; seed < 5; ++seed) {
-    const elements = someElements(seed), right = largestFlux(elements);
+    const elements = someElements(seed),
+      right = largestFlux(elements);
     const [found] = await sandbox.call("brightest", [[elements]]);
-    if (found !== right) return {wrong: `of unshot ${elements.unshot} and area ${elements.area} the brightest is element ${right}, not ${found}`};
+    if (found !== right)
+      return {
+        wrong: `of unshot ${elements.unshot} and area ${elements.area} the brightest is element ${right}, not ${found}`,
+      };
   }
   return {};
 };
@@ -158,13 +175,19 @@ function shootRight(elements: StudentElements, source: number, row: ArrayLike<nu
 
 export const shootTask: LightTask = async (sandbox) => {
   for (let seed = 0; seed < 4; ++seed) {
-    const elements = someElements(seed), row = [0, 0.3, 0.2, 0.4].map((_, k, all) => all[(k + 4 - seed) % 4]);
+    const elements = someElements(seed),
+      row = [0, 0.3, 0.2, 0.4].map((_, k, all) => all[(k + 4 - seed) % 4]);
     const right = structuredClone(elements);
     shootRight(right, seed, row);
     const [answer] = await sandbox.call("shoot", [[elements, seed, row]], {returns: 0});
     const found = answer as StudentElements;
     for (const key of ["radiosity", "unshot"] as const) {
-      const finding = firstWrong(numbers(found[key], 4, "shoot"), right[key], 1e-9, (k) => `after element ${seed} has shot, ${key} of element ${k}`);
+      const finding = firstWrong(
+        numbers(found[key], 4, "shoot"),
+        right[key],
+        1e-9,
+        (k) => `after element ${seed} has shot, ${key} of element ${k}`,
+      );
       if (finding.wrong) return finding;
     }
   }
@@ -185,31 +208,59 @@ function solved(elements: StudentElements, rows: Float64Array[]): number[] {
 const fluxOf = (values: number[], area: number[]) => sum(values.map((value, k) => Math.abs(value) * area[k]));
 
 /** How far a solution with this residual may be from the end: what is unshot is reflected on and on. */
-function judgeLight(found: number[], {area, emission, reflectance}: StudentElements, right: number[], left: number): Finding {
-  const missing = fluxOf(right.map((value, k) => value - found[k]), area) / fluxOf(emission, area);
+function judgeLight(
+  found: number[],
+  {area, emission, reflectance}: StudentElements,
+  right: number[],
+  left: number,
+): Finding {
+  const missing =
+    fluxOf(
+      right.map((value, k) => value - found[k]),
+      area,
+    ) / fluxOf(emission, area);
   const most = left / (1 - Math.max(...reflectance));
   if (missing <= most + 0.001) return {};
-  const k = right.reduce((worst, _, i) => (Math.abs(right[i] - found[i]) > Math.abs(right[worst] - found[worst]) ? i : worst), 0);
-  return {wrong: `the light is wrong by ${(100 * missing).toFixed(1)} % of the lamp's; most in element ${k}: ${found[k].toPrecision(3)} for ${right[k].toPrecision(3)}`};
+  const k = right.reduce(
+    (worst, _, i) => (Math.abs(right[i] - found[i]) > Math.abs(right[worst] - found[worst]) ? i : worst),
+    0,
+  );
+  return {
+    wrong:
+      `the light is wrong by ${(100 * missing).toFixed(1)} % of the lamp's; most in element ${k}: ` +
+      `${found[k].toPrecision(3)} for ${right[k].toPrecision(3)}`,
+  };
 }
 
 export const refineTask: LightTask = async (sandbox, room) => {
-  const elements = room.band(0), right = solved(elements, room.rows());
-  const [answer] = await sandbox.call("refine", [[elements, room.rows().map((row) => Array.from(row)), residual]], {returns: 0, rows: 1});
+  const elements = room.band(0),
+    right = solved(elements, room.rows());
+  const [answer] = await sandbox.call("refine", [[elements, room.rows().map((row) => Array.from(row)), residual]], {
+    returns: 0,
+    rows: 1,
+  });
   const found = answer as StudentElements;
-  const radiosity = numbers(found.radiosity, room.count, "refine"), unshot = numbers(found.unshot, room.count, "refine");
+  const radiosity = numbers(found.radiosity, room.count, "refine"),
+    unshot = numbers(found.unshot, room.count, "refine");
   const left = fluxOf(unshot, found.area) / fluxOf(elements.emission, elements.area);
-  if (left > residual) return {wrong: `${(100 * left).toFixed(1)} % of the light is unshot; refine until it is at most ${100 * residual} %`};
-  if (left < residual / 20) return {wrong: `only ${(100 * left).toFixed(3)} % is unshot: end as soon as it is at most ${100 * residual} %`};
+  if (left > residual)
+    return {
+      wrong: `${(100 * left).toFixed(1)} % of the light is unshot; refine until it is at most ${100 * residual} %`,
+    };
+  if (left < residual / 20)
+    return {wrong: `only ${(100 * left).toFixed(3)} % is unshot: end as soon as it is at most ${100 * residual} %`};
   return judgeLight(radiosity, elements, right, residual);
 };
 
 export const ambientTask: LightTask = async (sandbox) => {
   for (let seed = 0; seed < 4; ++seed) {
-    const elements = someElements(seed), {area, reflectance, unshot} = elements;
-    const right = sum(unshot.map((value, k) => value * area[k])) / sum(area.map((value, k) => value * (1 - reflectance[k])));
+    const elements = someElements(seed),
+      {area, reflectance, unshot} = elements;
+    const right =
+      sum(unshot.map((value, k) => value * area[k])) / sum(area.map((value, k) => value * (1 - reflectance[k])));
     const [found] = await sandbox.call("ambient", [[elements]]);
-    if (typeof found !== "number" || !near(found, right, 1e-9)) return {wrong: `the estimate is ${found}, and should be ${right.toPrecision(5)}`};
+    if (typeof found !== "number" || !near(found, right, 1e-9))
+      return {wrong: `the estimate is ${found}, and should be ${right.toPrecision(5)}`};
   }
   return {};
 };
@@ -228,17 +279,36 @@ function filteredRight(u: number, v: number): number {
 }
 
 export const textureTask: LightTask = async (sandbox) => {
-  const places: [number, number][] = [[0.5, 0.5], [0.3, 0.4], [0.62, 0.7], [1 / 6, 1 / 4], [0.02, 0.6], [0.98, 0.03], [0.4, 1]];
+  const places: [number, number][] = [
+    [0.5, 0.5],
+    [0.3, 0.4],
+    [0.62, 0.7],
+    [1 / 6, 1 / 4],
+    [0.02, 0.6],
+    [0.98, 0.03],
+    [0.4, 1],
+  ];
   const texture = {width: 3, height: 2, values: textureValues};
-  const found = await sandbox.call("filtered", places.map(([u, v]) => [texture, u, v]));
-  return firstWrong(numbers(found, places.length, "filtered"), places.map(([u, v]) => filteredRight(u, v)), 1e-9, (k) => `at u = ${places[k][0].toFixed(2)}, v = ${places[k][1].toFixed(2)} the texture`);
+  const found = await sandbox.call(
+    "filtered",
+    places.map(([u, v]) => [texture, u, v]),
+  );
+  return firstWrong(
+    numbers(found, places.length, "filtered"),
+    places.map(([u, v]) => filteredRight(u, v)),
+    1e-9,
+    (k) => `at u = ${places[k][0].toFixed(2)}, v = ${places[k][1].toFixed(2)} the texture`,
+  );
 };
 
 /** All together: item buffers by draw, rows, refinement; red, green and blue. */
 export const wholeTask: LightTask = async (sandbox, room) => {
-  const drawing = room.forDrawing(), own = new Float64Array(3 * room.count), right = new Float64Array(3 * room.count);
+  const drawing = room.forDrawing(),
+    own = new Float64Array(3 * room.count),
+    right = new Float64Array(3 * room.count);
   for (let band = 0; band < 3; ++band) {
-    const elements = room.band(band), exact = solved(elements, room.rows());
+    const elements = room.band(band),
+      exact = solved(elements, room.rows());
     const [answer] = await sandbox.call("light", [[elements, drawing, residual]]);
     const found = numbers(answer, room.count, "light");
     found.forEach((value, k) => (own[3 * k + band] = value));

@@ -81,7 +81,10 @@ function cutSheets(core: Core): Vector {
   });
   const corners = [0, 1, 2, 0, 2, 3];
   const draws = sheets.map((_, k): VectorDraw => ({first: 6 * k, count: 6, offset: 256 * (k + 1), back: null}));
-  const face = {name: "front", x: [1, 0, 0], y: [0, 1, 0], w: [0, 0, 1], scissor: [0, 0, size, size], words: "front.u32", hash: ""};
+  const face = {
+    ...{name: "front", x: [1, 0, 0], y: [0, 1, 0], w: [0, 0, 1]},
+    ...{scissor: [0, 0, size, size], words: "front.u32", hash: ""},
+  };
   const json = {
     ...{rules: 1, name: "cut sheets", origin: [0, 0, 0], resolution: size, near, eye: [0, 0, 0], faces: [face], draws},
     ...{channels: [8, 8, 8], blend: "clamped-add", background: 2 ** 24 - 1},
