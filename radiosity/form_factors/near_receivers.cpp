@@ -112,7 +112,7 @@ std::optional<FormFactorRow> NearReceivers::corrected(const Patch& patch, const 
       others[entry] =
           factor * discretization_.elements[row.elements[entry]].area / part.area * static_cast<double>(wholeShare);
   });
-  if (std::ranges::all_of(others, [](double share) { return share < 0; })) return std::nullopt;
+  if (std::all_of(others.begin(), others.end(), [](double share) { return share < 0; })) return std::nullopt;
   known_.set(patch.number, NearRows::State::Corrected);
   return replaced(row, others);
 }
@@ -127,7 +127,7 @@ std::vector<NearReceivers::Candidate> NearReceivers::candidates(const Patch& pat
     const bool isSmall = isSmall_[number] && element.area * patch.points * patch.points <= patch.area &&
                          formFactor(row.shares[i]) * patch.area / element.area >= testedShare;
     const bool mayBeNear = reach > 0 && distanceTo(shapes, ofSurfaces_[element.surface]) <= reach;
-    if ((!isSmall && !mayBeNear) || std::ranges::binary_search(patch.elements, number)) continue;
+    if ((!isSmall && !mayBeNear) || std::binary_search(patch.elements.begin(), patch.elements.end(), number)) continue;
     const SurfacePart& part = partOfElement(number);
     if (!(part.area > 0)) continue;
     const bool isNear = mayBeNear && distanceTo(shapes, part.bounds) <= reach;
@@ -137,7 +137,7 @@ std::vector<NearReceivers::Candidate> NearReceivers::candidates(const Patch& pat
 }
 
 bool NearReceivers::isLamp(const Patch& patch) const {
-  return areLampsSmall_ && std::ranges::any_of(patch.elements, [&](std::uint32_t element) {
+  return areLampsSmall_ && std::any_of(patch.elements.begin(), patch.elements.end(), [&](std::uint32_t element) {
            return !areZero(materials_.emission(patch.surface, element));
          });
 }

@@ -144,8 +144,8 @@ SurfacePart partOf(const Scene& scene, const Discretization& discretization, con
                       low + glm::dvec2(patch.width, patch.height),
                       [&](std::size_t, std::uint32_t number, const Piece& piece) {
                         const Triangle& triangle = surface.triangles[number];
-                        const auto& [a, b, c] = triangle.position;
                         const auto at = [&](std::size_t k) {
+                          const auto& [a, b, c] = triangle.position;
                           const glm::dvec2& weight = piece.corners[k].weight;
                           return a + weight.x * (b - a) + weight.y * (c - a);
                         };
