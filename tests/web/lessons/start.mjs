@@ -4,6 +4,7 @@
 import {createHash} from "node:crypto";
 import {readFileSync} from "node:fs";
 import {join} from "node:path";
+import {fileURLToPath} from "node:url";
 import {checkSameBits} from "../same_bits.mjs";
 
 const mostWords = 120;
@@ -200,7 +201,7 @@ async function checkStudent(page, {ok, equal}) {
 }
 
 async function checkOwnScene(page, {equal, ok, until}) {
-  const files = ["obj", "mtl"].map((end) => `data/pyramid-room.${end}`);
+  const files = ["obj", "mtl"].map((end) => fileURLToPath(new URL(`../../../data/pyramid-room.${end}`, import.meta.url)));
   await page.getByLabel("Your own scene (OBJ and MTL):").setInputFiles(files);
   await page.getByRole("button", {name: "The Cornell box again"}).waitFor();
   for (const name of names) {
@@ -214,7 +215,7 @@ async function checkOwnScene(page, {equal, ok, until}) {
   }
   await page.getByRole("button", {name: "The Cornell box again"}).click();
   equal(await page.getByRole("button", {name: "The Cornell box again"}).count(), 0, "the Cornell box again");
-  await page.getByLabel("Your own scene (OBJ and MTL):").setInputFiles(["data/pyramid-room.mtl"]);
+  await page.getByLabel("Your own scene (OBJ and MTL):").setInputFiles(files.slice(1));
   await until(
     async () => /Choose an OBJ file/.test(await page.getByRole("alert").innerText()),
     "a file that is no scene",
