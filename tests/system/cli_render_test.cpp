@@ -1,8 +1,10 @@
 /// hemitex render: pictures of solved folders, and malformed files beside the scene.
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <string>
 
+#include "radiosity/images/image.h"
 #include "tests/support/shell.h"
 
 using namespace hemitex::tests;
@@ -41,4 +43,19 @@ TEST_CASE("hemitex render of a solved folder shows the grids that were solved", 
   INFO(show << ' ' << grids);
   const bool isSame = readAll(shell.file("solved.png")) == readAll(shell.file("bare.png"));
   CHECK(isSame);
+}
+
+// Where faces of the solved scene touch, the reader cuts them. All parts belong to the surface.
+TEST_CASE("hemitex render of a solved folder shows all parts of its faces", "[cli]") {
+  const Shell shell;
+  const std::string scene = HEMITEX_DATA "/furnished-room.obj";
+  shell.output("solve " + scene + " -o out --shots 5 --texels 2 --resolution 32 --size 160x120");
+  shell.output("render out/scene.obj -o again.png --size 160x120");
+  const auto shown = hemitex::radiosity::readImage(shell.file("out/render.png"));
+  const auto again = hemitex::radiosity::readImage(shell.file("again.png"));
+  REQUIRE(again.pixels.size() == shown.pixels.size());
+  std::ptrdiff_t other = 0;
+  for (std::size_t p = 0; p < shown.pixels.size(); ++p)
+    other += glm::any(glm::greaterThan(glm::abs(shown.pixels[p] - again.pixels[p]), glm::dvec3(.05)));
+  CHECK(other == 0);
 }
