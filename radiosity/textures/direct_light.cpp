@@ -184,10 +184,10 @@ const glm::dvec3& DirectLight::pointOfRay(const Source& source, std::uint32_t k)
   return source.points[k < source.points.size() ? k : 0];
 }
 
-double DirectLight::visibleShare(std::size_t number, const LitPlace& place) const {
+double DirectLight::visibleShare(std::size_t number, const LitPlace& place, std::uint32_t rays) const {
   const Source& source = sources_[number];
   Seen sum;
-  for (std::uint32_t k = 0; k < maxRays; ++k) addRay(source, place, spreadPoint(k) - 0.5, pointOfRay(source, k), sum);
+  for (std::uint32_t k = 0; k < rays; ++k) addRay(source, place, spreadPoint(k) - 0.5, pointOfRay(source, k), sum);
   return sum.share();
 }
 

@@ -42,8 +42,9 @@ class DirectLight {
   std::span<const double> light(std::size_t source) const { return sources_[source].light; }
   /// The factor of the irradiance at a point that sees all of the source; 0 behind the horizon.
   double factor(std::size_t source, const SurfacePoint& point) const;
-  /// The visible share of a source in [0, 1], by maxRays rays, weighted by the light along each.
-  double visibleShare(std::size_t source, const LitPlace& place) const;
+  /// The visible share of a source in [0, 1], by rays, weighted by the light along each. Their number is a power of two
+  /// up to maxRays, so that they are spread evenly.
+  double visibleShare(std::size_t source, const LitPlace& place, std::uint32_t rays = maxRays) const;
   /// The same by few rays, among them those from the corners of the place and those to the corners of the source, at
   /// which a shadow begins. 0 and 1 mean that probably nothing of it is visible, or all.
   double probedShare(std::size_t source, const LitPlace& place) const;

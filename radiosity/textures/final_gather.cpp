@@ -38,7 +38,9 @@ struct Texels {
   int columns = 1, rows = 1;
   std::vector<std::optional<LitPlace>> places;  ///< none where the surface has no exposed area
   std::vector<State> states;
-  BandTable light;  ///< irradiance of each
+  BandTable direct, seen;  ///< irradiance of each, from sources and from elements
+
+  double light(std::size_t texel) const { return bandSum(direct[texel]) + bandSum(seen[texel]); }
 
   std::size_t at(int column, int row) const {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(column);
@@ -107,11 +109,13 @@ void smoothNormals(const Scene& scene, const Discretization& discretization, con
 Texels texelsOf(const Scene& scene, const Discretization& discretization, const std::vector<glm::dvec3>& normals,
                 std::uint32_t surface, int magnification) {
   const Grid& grid = discretization.grids[surface];
-  Texels texels{grid.columns * magnification, grid.rows * magnification, {}, {}, {}};
+  Texels texels;
+  texels.columns = grid.columns * magnification;
+  texels.rows = grid.rows * magnification;
   const std::size_t count = static_cast<std::size_t>(texels.columns) * static_cast<std::size_t>(texels.rows);
   texels.places.resize(count);
   texels.states.resize(count);
-  texels.light = BandTable(count, bandCount(scene));
+  texels.direct = texels.seen = BandTable(count, bandCount(scene));
   const bool isPlane = isFlat(scene, scene.surfaces[surface]);
   raster::parallelFor(static_cast<std::size_t>(texels.rows), [&](std::size_t row) {
     for (int column = 0; column < texels.columns; ++column)
@@ -221,11 +225,13 @@ class Interpolation {
  private:
   std::vector<Cell> largestCells() const {
     std::vector<Cell> cells;
-    for (std::uint32_t s = 0; s < all_.size(); ++s)
-      for (int row = 0; row == 0 || row < all_[s].rows - 1; row += largestCell)
-        for (int column = 0; column == 0 || column < all_[s].columns - 1; column += largestCell)
-          cells.push_back({s, column, row, std::min(column + largestCell, all_[s].columns - 1),
-                           std::min(row + largestCell, all_[s].rows - 1)});
+    for (std::uint32_t s = 0; s < all_.size(); ++s) {
+      const int lastColumn = all_[s].columns - 1, lastRow = all_[s].rows - 1;
+      for (int row = 0; row == 0 || row < lastRow; row += largestCell)
+        for (int column = 0; column == 0 || column < lastColumn; column += largestCell)
+          cells.push_back(
+              {s, column, row, std::min(column + largestCell, lastColumn), std::min(row + largestCell, lastRow)});
+    }
     return cells;
   }
 
@@ -255,7 +261,7 @@ class Interpolation {
       Texels& texels = all_[numbers[i].surface];
       std::optional<LitPlace>& place = texels.places[numbers[i].texel];
       if (const auto light = seen_.irradiance(*place))
-        set(texels.light[numbers[i].texel], *light);
+        set(texels.seen[numbers[i].texel], *light);
       else
         place.reset();
     });
@@ -271,16 +277,16 @@ class Interpolation {
           divided.push_back({cell.surface, left, low, right, high});
   }
 
-  /// The difference of the corners of a cell over their mean; infinite if one has no area.
+  /// The difference of the corners of a cell over the mean of all their light; infinite if one has no area.
   double spreadOf(const Cell& cell) const {
     const Texels& texels = all_[cell.surface];
     double least = std::numeric_limits<double>::infinity(), most = 0, sum = 0;
     for (const std::size_t texel : cornersOf(texels, cell)) {
       if (!texels.places[texel]) return std::numeric_limits<double>::infinity();
-      const double light = bandSum(texels.light[texel]);
+      const double light = bandSum(texels.seen[texel]), all = texels.light(texel);
       least = std::min(least, light);
       most = std::max(most, light);
-      sum += light;
+      sum += all;
     }
     return sum > 0 ? 4 * (most - least) / sum : 0;
   }
@@ -288,7 +294,7 @@ class Interpolation {
   /// Interpolates a cell if its corners are nearly equal; returns whether.
   bool settleByCorners(const Cell& cell) {
     if (!(spreadOf(cell) <= settings_.even)) return false;
-    interpolate(cell, Bands(all_[cell.surface].light.bands));
+    interpolate(cell, Bands(all_[cell.surface].seen.bands));
     return true;
   }
 
@@ -297,9 +303,9 @@ class Interpolation {
     const Texels& texels = all_[cell.surface];
     const std::size_t middle = texels.at(cell.middleColumn(), cell.middleRow());
     if (!texels.places[middle]) return false;
-    Bands more(texels.light[middle].begin(), texels.light[middle].end());
+    Bands more(texels.seen[middle].begin(), texels.seen[middle].end());
     addTo(more, interpolated(texels, cell, cell.middleColumn(), cell.middleRow()), -1);
-    if (std::abs(bandSum(more)) > settings_.tolerance * bandSum(texels.light[middle])) return false;
+    if (std::abs(bandSum(more)) > settings_.tolerance * texels.light(middle)) return false;
     interpolate(cell, more);
     return true;
   }
@@ -308,8 +314,8 @@ class Interpolation {
     const glm::dvec2 at = placeIn(cell, column, row);
     const std::array<double, 4> weights{(1 - at.x) * (1 - at.y), at.x * (1 - at.y), (1 - at.x) * at.y, at.x * at.y};
     const std::array<std::size_t, 4> corners = cornersOf(texels, cell);
-    Bands sum(texels.light.bands);
-    for (std::size_t k = 0; k < 4; ++k) addTo(sum, texels.light[corners[k]], weights[k]);
+    Bands sum(texels.seen.bands);
+    for (std::size_t k = 0; k < 4; ++k) addTo(sum, texels.seen[corners[k]], weights[k]);
     return sum;
   }
 
@@ -336,7 +342,7 @@ class Interpolation {
         const glm::dvec2 at = placeIn(cell, column, row);
         Bands light = interpolated(texels, cell, column, row);
         addTo(light, more, hat(at.x, middle.x) * hat(at.y, middle.y));
-        set(texels.light[texel], light);
+        set(texels.seen[texel], light);
       }
   }
 
@@ -345,8 +351,9 @@ class Interpolation {
     std::vector<double> squares(checks_.size());
     raster::parallelFor(checks_.size(), [&](std::size_t i) {
       const Texels& texels = all_[checks_[i].surface];
-      const double light = bandSum(seen_.irradiance(*texels.places[checks_[i].texel]).value_or(Bands()));
-      const double difference = bandSum(texels.light[checks_[i].texel]) - light;
+      const double seen = bandSum(seen_.irradiance(*texels.places[checks_[i].texel]).value_or(Bands()));
+      const double difference = bandSum(texels.seen[checks_[i].texel]) - seen;
+      const double light = bandSum(texels.direct[checks_[i].texel]) + seen;
       squares[i] = light > 0 ? difference * difference / (light * light) : 0;
     });
     for (const double square : squares) squares_ += square;
@@ -361,40 +368,96 @@ class Interpolation {
   double squares_ = 0;
 };
 
-/// Adds the light of one source to the texels of a surface.
-void addSource(const DirectLight& direct, std::size_t source, Texels& texels) {
-  constexpr float behind = -1;
-  const auto rows = static_cast<std::size_t>(texels.rows);
-  std::vector<double> factors(texels.places.size());
-  std::vector<float> shares(texels.places.size(), behind);
-  const auto forEachTexel = [&](const auto& visit) {
-    raster::parallelFor(rows, [&](std::size_t row) {
-      for (int column = 0; column < texels.columns; ++column) visit(column, static_cast<int>(row));
+/// A source is weak at texels whose light it raises by no more than this share.
+constexpr double weakLight = 0.02;
+
+/// The light of one source at the texels of a surface.
+class SourceTexels {
+ public:
+  SourceTexels(const DirectLight& direct, std::size_t source, Texels& texels)
+      : direct_(direct),
+        source_(source),
+        texels_(texels),
+        factors_(texels.places.size()),
+        shares_(texels.places.size(), behind) {}
+
+  void add() {
+    raster::parallelFor(static_cast<std::size_t>((texels_.rows + block - 1) / block), [&](std::size_t row) {
+      for (int column = 0; column < texels_.columns; column += block) probeBlock(column, static_cast<int>(row) * block);
     });
-  };
-  forEachTexel([&](int column, int row) {
-    const std::size_t texel = texels.at(column, row);
-    if (!texels.places[texel]) return;
-    factors[texel] = direct.factor(source, texels.places[texel]->point);
-    if (factors[texel] > 0) shares[texel] = static_cast<float>(direct.probedShare(source, *texels.places[texel]));
-  });
-  // Whether a source is seen in part at a texel, or in another way than at a neighbour.
-  const auto isUneven = [&](int column, int row) {
-    const float share = shares[texels.at(column, row)];
+    raster::parallelFor(static_cast<std::size_t>(texels_.rows), [&](std::size_t row) {
+      for (int column = 0; column < texels_.columns; ++column) addAt(column, static_cast<int>(row));
+    });
+  }
+
+ private:
+  static constexpr float behind = -1;  ///< the share of a source behind the horizon
+  static constexpr int block = 8;      ///< texels along the side
+
+  bool isWeakAt(std::size_t texel) const {
+    return factors_[texel] * bandSum(direct_.light(source_)) <= weakLight * bandSum(texels_.direct[texel]);
+  }
+
+  /// Where the source is weak, the corners and the middle of a block stand for all of it if they see all of the source,
+  /// or all see nothing.
+  void probeBlock(int left, int low) {
+    const int right = std::min(left + block, texels_.columns) - 1, top = std::min(low + block, texels_.rows) - 1;
+    std::vector<std::size_t> lit;
+    for (int row = low; row <= top; ++row)
+      for (int column = left; column <= right; ++column) {
+        const std::size_t texel = texels_.at(column, row);
+        if (texels_.places[texel]) factors_[texel] = direct_.factor(source_, texels_.places[texel]->point);
+        if (factors_[texel] > 0) lit.push_back(texel);
+      }
+    bool isEven = std::all_of(lit.begin(), lit.end(), [this](std::size_t texel) { return isWeakAt(texel); });
+    if (isEven) {
+      std::optional<float> common;
+      for (const std::size_t texel : {texels_.at(left, low), texels_.at(right, low), texels_.at(left, top),
+                                      texels_.at(right, top), texels_.at((left + right) / 2, (low + top) / 2)})
+        if (const float share = probe(texel); share != behind) {
+          isEven = isEven && (share == 0 || share == 1) && share == common.value_or(share);
+          common = share;
+        }
+      isEven = isEven && common;
+      if (isEven)
+        for (const std::size_t texel : lit) shares_[texel] = *common;
+    }
+    if (!isEven)
+      for (const std::size_t texel : lit) probe(texel);
+  }
+
+  float probe(std::size_t texel) {
+    if (shares_[texel] == behind && factors_[texel] > 0)
+      shares_[texel] = static_cast<float>(direct_.probedShare(source_, *texels_.places[texel]));
+    return shares_[texel];
+  }
+
+  /// Whether the source is seen in part at a texel, or in another way than at a neighbour.
+  bool isUneven(int column, int row) const {
+    const float share = shares_[texels_.at(column, row)];
     if (share > 0 && share < 1) return true;
-    for (int y = std::max(row - 1, 0); y <= std::min(row + 1, texels.rows - 1); ++y)
-      for (int x = std::max(column - 1, 0); x <= std::min(column + 1, texels.columns - 1); ++x)
-        if (const float other = shares[texels.at(x, y)]; other != behind && other != share) return true;
+    for (int y = std::max(row - 1, 0); y <= std::min(row + 1, texels_.rows - 1); ++y)
+      for (int x = std::max(column - 1, 0); x <= std::min(column + 1, texels_.columns - 1); ++x)
+        if (const float other = shares_[texels_.at(x, y)]; other != behind && other != share) return true;
     return false;
-  };
-  forEachTexel([&](int column, int row) {
-    const std::size_t texel = texels.at(column, row);
-    if (shares[texel] == behind) return;
-    const double share =
-        isUneven(column, row) ? direct.visibleShare(source, *texels.places[texel]) : double{shares[texel]};
-    addTo(texels.light[texel], direct.light(source), factors[texel] * share);
-  });
-}
+  }
+
+  void addAt(int column, int row) {
+    constexpr std::uint32_t fewRays = DirectLight::maxRays / 8;
+    const std::size_t texel = texels_.at(column, row);
+    if (shares_[texel] == behind) return;
+    const double share = isUneven(column, row) ? direct_.visibleShare(source_, *texels_.places[texel],
+                                                                      isWeakAt(texel) ? fewRays : DirectLight::maxRays)
+                                               : double{shares_[texel]};
+    addTo(texels_.direct[texel], direct_.light(source_), factors_[texel] * share);
+  }
+
+  const DirectLight& direct_;
+  std::size_t source_;
+  Texels& texels_;
+  std::vector<double> factors_;
+  std::vector<float> shares_;  ///< in [0, 1], or `behind`
+};
 
 /// The light of texels in colours; those without area have that of the nearest one with area.
 std::vector<glm::dvec3> coloursOf(const Scene& scene, const Discretization& discretization,
@@ -406,17 +469,18 @@ std::vector<glm::dvec3> coloursOf(const Scene& scene, const Discretization& disc
   std::vector<bool> covered;
   for (std::size_t i = 0; i < result.size(); ++i) {
     covered.push_back(texels.places[i].has_value());
+    Bands light(texels.seen[i].begin(), texels.seen[i].end());
+    addTo(light, texels.direct[i]);
     if (scene.wavelengths.empty()) {
-      result[i] = colours.of(texels.light[i]);
+      result[i] = colours.of(light);
       continue;
     }
     const auto columns = static_cast<std::size_t>(texels.columns), m = static_cast<std::size_t>(magnification);
     const std::uint32_t element =
         grid.elementOfTexel[i / columns / m * static_cast<std::size_t>(grid.columns) + i % columns / m];
-    Bands reflected(texels.light[i].begin(), texels.light[i].end());
-    for (std::size_t band = 0; band < reflected.size(); ++band)
-      reflected[band] *= materials.reflectance(surface, element)[band];
-    result[i] = irradianceFor(colours.of(reflected), glm::dvec3(0), reflectance(scene, discretization, element));
+    for (std::size_t band = 0; band < light.size(); ++band)
+      light[band] *= materials.reflectance(surface, element)[band];
+    result[i] = irradianceFor(colours.of(light), glm::dvec3(0), reflectance(scene, discretization, element));
   }
   if (std::find(covered.begin(), covered.end(), true) == covered.end()) return result;
   const std::vector<std::uint32_t> nearest = nearestCovered(texels.columns, texels.rows, covered);
@@ -444,13 +508,13 @@ std::vector<Texels> litTexels(const Gathering& of, SeenElements& seen, const Mag
   raster::parallelFor(all.size(), [&](std::size_t s) {
     all[s] = texelsOf(of.scene, of.discretization, normals, static_cast<std::uint32_t>(s), magnifications[s]);
   });
+  raster::parallelFor(all.size(), [&](std::size_t s) {
+    for (std::size_t source = 0; source < of.direct.count(); ++source) SourceTexels(of.direct, source, all[s]).add();
+  });
   Interpolation interpolation(seen, all, of.settings);
   interpolation.run(progress);
   result.drawn += interpolation.drawn();
   result.error = interpolation.error();
-  raster::parallelFor(all.size(), [&](std::size_t s) {
-    for (std::size_t source = 0; source < of.direct.count(); ++source) addSource(of.direct, source, all[s]);
-  });
   return all;
 }
 
@@ -487,8 +551,10 @@ BandTable radiosityOf(const Gathering& of, const Discretization& finer, const st
   BandTable table(finer.elements.size(), materials.bands());
   for (std::uint32_t e = 0; e < table.size(); ++e) {
     const auto& [area, surface, texel] = finer.elements[e];
-    const std::span<const double> reflectance = materials.reflectance(surface, e), light = all[surface].light[texel];
-    for (std::size_t band = 0; band < table.bands; ++band) table[e][band] = reflectance[band] * light[band];
+    const std::span<const double> reflectance = materials.reflectance(surface, e), direct = all[surface].direct[texel],
+                                  seen = all[surface].seen[texel];
+    for (std::size_t band = 0; band < table.bands; ++band)
+      table[e][band] = reflectance[band] * (direct[band] + seen[band]);
     if (!of.direct.hasEmissionOf(surface)) addTo(table[e], materials.emission(surface, e));
   }
   return table;
