@@ -17,7 +17,6 @@ using raster::ItemBuffer;
 using raster::shortNumber;
 using reference::markupText;
 
-constexpr raster::ItemId background = 0xffffffff;
 constexpr const char *good = "#4a9", *bad = "#c43", *first = "#9cf", *second = "#fd9";
 
 constexpr const char* style = R"(<style>
