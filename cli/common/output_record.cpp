@@ -4,7 +4,6 @@
 #include <sys/xattr.h>
 #include <unistd.h>
 
-#include <array>
 #include <optional>
 
 #include "cli/common/json.h"

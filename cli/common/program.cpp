@@ -15,7 +15,6 @@
 #include <new>
 #include <optional>
 #include <sstream>
-#include <string>
 #include <string_view>
 #include <system_error>
 #include <thread>

@@ -8,7 +8,6 @@
 #include <cerrno>
 #include <chrono>
 #include <mutex>
-#include <optional>
 #include <system_error>
 #include <thread>
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <stdexcept>
 
 #include "cli/scene/lit_surfaces.h"
 #include "cli/scene/sealed_folder.h"

@@ -3,7 +3,6 @@
 #include <sstream>
 
 #include "cli/common/base64.h"
-#include "cli/common/json.h"
 #include "cli/common/table.h"
 #include "cli/report/embedded_files.h"
 #include "cli/report/html_page.h"

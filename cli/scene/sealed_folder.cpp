@@ -1,7 +1,5 @@
 #include "cli/scene/sealed_folder.h"
 
-#include <optional>
-
 #include "raster/base/file_io.h"
 #include "raster/base/input_error.h"
 #include "reference/base/hashes/sha256.h"

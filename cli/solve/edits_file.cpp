@@ -1,13 +1,11 @@
 #include "cli/solve/edits_file.h"
 
 #include <map>
-#include <nlohmann/json.hpp>
 #include <set>
 #include <string>
 #include <utility>
 
 #include "radiosity/base/name_suggestions.h"
-#include "radiosity/scene/scene_settings.h"
 #include "raster/base/file_io.h"
 #include "raster/base/input_error.h"
 #include "reference/base/json_text.h"

@@ -1,8 +1,6 @@
 /// The computation of `hemitex solve`: solves the scene, and chooses elements or settings by solutions.
 #pragma once
 
-#include <optional>
-
 #include "cli/report/solved_page.h"
 #include "cli/solve/monitor.h"
 #include "cli/solve/options.h"

@@ -1,7 +1,6 @@
 #include "cli/vector/judging.h"
 
 #include <algorithm>
-#include <functional>
 #include <iostream>
 
 #include "cli/common/json.h"
@@ -10,7 +9,6 @@
 #include "raster/base/file_io.h"
 #include "raster/base/input_error.h"
 #include "reference/conformance/calibration/device_class.h"
-#include "reference/conformance/diagnosis/verdict_report.h"
 #include "reference/conformance/pictures/verdict_picture.h"
 #include "reference/conformance/records/conformance_record.h"
 #include "reference/conformance/vectors/vector_file.h"

@@ -17,7 +17,6 @@ using raster::ItemBuffer;
 using raster::shortNumber;
 using reference::markupText;
 
-constexpr raster::ItemId background = 0xffffffff;
 constexpr const char *good = "#4a9", *bad = "#c43", *first = "#9cf", *second = "#fd9";
 
 constexpr const char* style = R"(<style>
@@ -48,8 +47,8 @@ std::string rectangle(double x, double y, double width, double height, const std
 /// A row of a bar chart.
 struct Bar {
   std::string name;
-  double value, largest;
-  std::string words;  ///< behind the bar
+  double value, largest;  ///< above 0
+  std::string words;      ///< behind the bar
   bool isGood;
 };
 
@@ -58,7 +57,7 @@ std::string bars(const std::vector<Bar>& all) {
   std::string content;
   for (std::size_t k = 0; k < all.size(); ++k) {
     const Bar& bar = all[k];
-    const double top = static_cast<double>(k) * rowHeight, share = bar.largest > 0 ? bar.value / bar.largest : 0;
+    const double top = static_cast<double>(k) * rowHeight, share = bar.value / bar.largest;
     content += text(left - 8, top + 13, bar.name, "end") +
                rectangle(left, top + 3, std::max(1.0, share * width), rowHeight - 6, bar.isGood ? good : bad) +
                text(left + share * width + 6, top + 13, bar.words);
@@ -66,7 +65,11 @@ std::string bars(const std::vector<Bar>& all) {
   return picture(left + width + 140, static_cast<int>(all.size()) * rowHeight, content);
 }
 
-std::string outOf(int part, int all) { return std::to_string(part) + " of " + std::to_string(all); }
+/// The bar of a part of all.
+Bar partOf(const std::string& name, int part, int all, bool isGood) {
+  const std::string words = std::to_string(part) + " of " + std::to_string(all);
+  return {name, static_cast<double>(part), static_cast<double>(std::max(all, 1)), words, isGood};
+}
 
 // --- properties ---
 
@@ -80,8 +83,8 @@ std::string snapping(const ProfilePage& page) {
         isExact ? "not snapped"
                 : std::to_string(fit.bits) + " bits, " +
                       (fit.rounding == reference::SnapRounding::Nearest ? "to the nearest" : "truncated");
-    all.push_back({name, static_cast<double>(fit.contradictions), static_cast<double>(std::max(fit.probes, 1)),
-                   outOf(fit.contradictions, fit.probes) + (isMeasured ? ", measured" : ""), isMeasured});
+    all.push_back(partOf(name, fit.contradictions, fit.probes, isMeasured));
+    if (isMeasured) all.back().words += ", measured";
   }
   return "<h2>Sub-pixel grid</h2>\n<p>Each probe is a triangle that covers a sample, or not, depending on how its "
          "corners are snapped. The bars are the samples that contradict a snapping. The measured one has none.</p>\n" +
@@ -151,7 +154,7 @@ std::string texels(const ProfilePage& page) {
     if (count == 0) continue;
     const std::string name =
         power == nearest ? "nearer, or on the border" : "up to 1/" + std::to_string(1 << power) + " texel";
-    all.push_back({name, static_cast<double>(failed), static_cast<double>(count), outOf(failed, count), failed == 0});
+    all.push_back(partOf(name, failed, count, failed == 0));
   }
   return "<h2>Texel addressing</h2>\n<p>Each probe shows a coordinate beside a border of two texels. The bars are the "
          "samples that show the texel beyond the border, by the distance from it. Measured: an error of " +
@@ -174,8 +177,7 @@ std::string depths(const ProfilePage& page) {
   }
   std::vector<Bar> all;
   for (std::size_t step = 0; step < names.size(); ++step)
-    all.push_back({names[step], static_cast<double>(right[step]), static_cast<double>(counts[step]),
-                   outOf(right[step], counts[step]), right[step] == counts[step]});
+    all.push_back(partOf(names[step], right[step], counts[step], right[step] == counts[step]));
   return "<h2>Depth</h2>\n<p>Each probe is a pair of triangles with a small difference in depth. The bars are the "
          "samples that show the nearer triangle.</p>\n" +
          bars(all);
@@ -196,7 +198,7 @@ Bar clippingBar(const ProfilePage& page, const std::string& name, const referenc
       return pixel < answer.ids.size();
     });
   }
-  return {name, static_cast<double>(equal), static_cast<double>(pixels), outOf(equal, pixels), equal == pixels};
+  return partOf(name, equal, pixels, equal == pixels);
 }
 
 std::string clipping(const ProfilePage& page) {

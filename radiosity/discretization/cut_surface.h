@@ -1,7 +1,6 @@
 /// Cuts the triangles of a surface along their slices (triangle_slices.h) into pieces, and joins pieces to regions.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <memory>

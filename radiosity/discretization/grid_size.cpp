@@ -4,7 +4,6 @@
 #include <cmath>
 #include <map>
 #include <string>
-#include <vector>
 
 #include "radiosity/geometry/mesh_charts.h"
 #include "radiosity/geometry/rectangle_packing.h"

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <limits>
 
-#include "radiosity/discretization/discretization.h"
 #include "radiosity/discretization/exposed_pieces.h"
 #include "radiosity/discretization/texel_areas.h"
 #include "radiosity/geometry/grid_clipping.h"

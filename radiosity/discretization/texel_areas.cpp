@@ -1,9 +1,7 @@
 #include "radiosity/discretization/texel_areas.h"
 
-#include <algorithm>
 #include <cmath>
 
-#include "radiosity/discretization/exposed_pieces.h"
 #include "radiosity/geometry/grid_clipping.h"
 
 namespace hemitex::radiosity {

@@ -2,9 +2,7 @@
 /// geometry.
 #pragma once
 
-#include <array>
 #include <cstdint>
-#include <glm/glm.hpp>
 #include <vector>
 
 #include "radiosity/discretization/exposed_pieces.h"

@@ -1,9 +1,7 @@
 #include "radiosity/form_factors/outside_flux.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstddef>
 #include <span>
 #include <utility>
 

@@ -7,7 +7,6 @@
 #include "radiosity/form_factors/level_of_detail.h"
 #include "radiosity/geometry/tangent_along.h"
 #include "radiosity/projection/parallel_view.h"
-#include "radiosity/projection/projection_kinds.h"
 #include "raster/base/input_error.h"
 
 namespace hemitex::radiosity {

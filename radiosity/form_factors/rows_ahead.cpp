@@ -18,6 +18,9 @@ constexpr std::size_t tasksPerRank = 2;
 constexpr std::size_t shotsPerRank = 4, spareShots = 8;
 /// Rank 0 waits for the row of another rank at most this number of times as long as it would compute the row.
 constexpr double patience = 2;
+/// Rows that are drawn together, and rows that are kept then: among them those of patches that shoot later than
+/// expected, or from other points.
+constexpr std::size_t rowsAtOnce = 64, rowsKept = 8 * rowsAtOnce;
 
 double seconds() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
@@ -39,11 +42,34 @@ FormFactorRow takeRow(std::string_view& bytes) {
 
 }  // namespace
 
-RowsAhead::RowsAhead(Messenger& ranks, SceneFormFactors& formFactors, std::size_t budget)
-    : ranks_(ranks), formFactors_(formFactors), budget_(budget), tasksOf_(static_cast<std::size_t>(ranks.ranks())) {}
+RowsAhead::RowsAhead(Messenger* ranks, SceneFormFactors& formFactors, std::size_t budget)
+    : ranks_(ranks),
+      formFactors_(formFactors),
+      budget_(budget),
+      tasksOf_(ranks ? static_cast<std::size_t>(ranks->ranks()) : 1) {}
+
+void RowsAhead::drawTogether(const NextShots& next) {
+  const std::vector<LikelyShot> first = next.likely(1);
+  if (first.empty() || kept_.contains(first.front().patch)) return;
+  if (kept_.size() > rowsKept) {
+    kept_.clear();
+    keptBytes_ = 0;
+  }
+  const std::vector<LikelyShot> shots = next.likely(rowsAtOnce);
+  std::size_t place = 0;
+  std::vector<std::uint32_t> patches;
+  std::vector<Points> points;
+  while (std::optional<Task> task = nextTask(next.patches, shots, place)) {
+    if (patches.empty() && task->patch != shots.front().patch) return;  // the next patch is split first
+    patches.push_back(task->patch);
+    points.push_back(std::move(task->points));
+  }
+  std::vector<FormFactorRow> rows = formFactors_.uncorrected().ofManyPoints(points);
+  for (std::size_t r = 0; r < rows.size(); ++r) keep({patches[r], std::move(points[r])}, std::move(rows[r]));
+}
 
 void RowsAhead::takeMessages() {
-  while (const auto message = received(ranks_)) {
+  while (const auto message = received(*ranks_)) {
     std::string_view bytes = message->bytes;
     const auto number = takeValue<std::uint64_t>(bytes);
     --tasksOf_[static_cast<std::size_t>(message->from)];
@@ -86,6 +112,7 @@ bool RowsAhead::isKept(std::uint32_t patch, const Points& points) const {
 }
 
 void RowsAhead::lookAhead(const NextShots& next) {
+  if (!ranks_) return drawTogether(next);
   takeMessages();
   if (tasksOf_.size() == 1 || keptBytes_ >= budget_) return;
   const std::size_t needed = rowsNeeded();
@@ -102,7 +129,7 @@ void RowsAhead::lookAhead(const NextShots& next) {
       std::string message;
       appendBytes(message, tasksGiven_);
       appendBytes(message, task->points);
-      ranks_.send(static_cast<int>(rank), MessageKind::Task, std::move(message));
+      ranks_->send(static_cast<int>(rank), MessageKind::Task, std::move(message));
       tasks_[tasksGiven_++] = *std::move(task);
       ++tasksOf_[rank];
     }

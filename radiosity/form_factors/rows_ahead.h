@@ -1,7 +1,8 @@
-/// Rows that other ranks compute before a solution needs them. The order of shots is that of one process. While rank 0
-/// shoots, the others compute the rows of the patches with the most unshot flux. Their flux only grows until they
-/// shoot, so nearly all these rows are needed. A row depends on nothing but its points, so the solution has the same
-/// bits for any number of ranks and any timing.
+/// Rows that are computed before a solution needs them: those of the patches with the most unshot flux. Their flux only
+/// grows until they shoot, so nearly all these rows are needed. While rank 0 shoots, other ranks compute them. Without
+/// ranks a device draws many rows together, which takes less time than one by one. The order of shots is that of one
+/// process. A row depends on nothing but its points, so the solution has the same bits for any number of ranks and any
+/// timing.
 #pragma once
 
 #include <cstddef>
@@ -26,13 +27,15 @@ struct RowCounts {
   std::size_t ofRankZero = 0;  ///< computed by rank 0 when they were needed
 };
 
-/// The part of rank 0. Call endTasks after the solution.
+/// The part of rank 0, or of a process that is alone. With ranks call endTasks after the solution.
 class RowsAhead {
  public:
-  /// `budget` in bytes, for rows that have arrived and are not needed yet. References must outlive this object.
-  RowsAhead(Messenger& ranks, SceneFormFactors& formFactors, std::size_t budget);
+  /// `ranks` is null if this process is alone. `budget` in bytes, for rows that have arrived and are not needed yet. The
+  /// arguments must outlive this object.
+  RowsAhead(Messenger* ranks, SceneFormFactors& formFactors, std::size_t budget);
 
-  /// Gives likely rows to ranks that have room for a task. Call it between shots. Throws RankError if a rank failed.
+  /// Gives likely rows to ranks that have room for a task. Without ranks, draws the rows of likely shots if that of the
+  /// next one is missing. Call it between shots. Throws RankError if a rank failed.
   void lookAhead(const NextShots& next);
   /// The row of a patch. Computes it if no rank has it, or if the rank that computes it is slow. Throws RankError.
   FormFactorRow row(const Patch& patch);
@@ -50,6 +53,7 @@ class RowsAhead {
     FormFactorRow row;
   };
 
+  void drawTogether(const NextShots& next);
   void takeMessages();
   std::size_t rowsNeeded() const;
   bool isUnderWay(std::uint32_t patch) const;
@@ -61,7 +65,7 @@ class RowsAhead {
   void keep(Task task, FormFactorRow row);
   void drop(std::uint32_t patch);
 
-  Messenger& ranks_;
+  Messenger* ranks_;
   SceneFormFactors& formFactors_;
   std::size_t budget_, keptBytes_ = 0;
   std::uint64_t tasksGiven_ = 0;

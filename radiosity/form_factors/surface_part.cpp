@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <numbers>
-#include <span>
 #include <utility>
 
 #include "radiosity/discretization/exposed_pieces.h"

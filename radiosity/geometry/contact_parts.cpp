@@ -1,9 +1,7 @@
 #include "radiosity/geometry/contact_parts.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <optional>
 #include <utility>
 
 #include "raster/base/cross.h"

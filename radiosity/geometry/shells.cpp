@@ -7,7 +7,6 @@
 #include <map>
 #include <numbers>
 #include <tuple>
-#include <utility>
 
 #include "radiosity/geometry/tangent_along.h"
 

@@ -1,12 +1,10 @@
 #include "radiosity/images/image.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdio>
 #include <limits>
 #include <stdexcept>
-#include <string>
 #include <string_view>
 #include <type_traits>
 

@@ -7,7 +7,6 @@
 
 #include "radiosity/base/bytes.h"
 #include "radiosity/discretization/adaptive_subdivision.h"
-#include "radiosity/light/rows_together.h"
 #include "radiosity/ranks/shared_tasks.h"
 #include "raster/base/input_error.h"
 
@@ -83,18 +82,14 @@ class Solutions {
                    .split = drawn.splits(),
                    .captured = formFactor(drawn.uncorrected().projection().captured)};
     if (settings.isContinued) rows.rowOf = [&](const Patch& patch) { return rowByViews(drawn, ofViews, patch); };
-    RowsTogether together(drawn);
-    if (!settings.isContinued && drawn.uncorrected().areFasterTogether()) {
-      rows.rowOf = [&](const Patch& patch) { return together.row(patch); };
-      rows.prepare = [&](const NextShots& next) { together.lookAhead(next); };
-    }
-    if (hooks_.rows) rows = hooks_.rows(std::move(rows), scene_, result_.discretization);
+    const bool isFasterTogether = !settings.isContinued && drawn.uncorrected().areFasterTogether();
     std::optional<RowsAhead> ahead;
-    if (sharesRows()) {
-      ahead.emplace(*hooks_.ranks, drawn, settings.solver.rowCacheBytes);
+    if (sharesRows() || isFasterTogether) {
+      ahead.emplace(sharesRows() ? hooks_.ranks : nullptr, drawn, settings.solver.rowCacheBytes);
       rows.rowOf = [&](const Patch& patch) { return ahead->row(patch); };
       rows.prepare = [&](const NextShots& next) { ahead->lookAhead(next); };
     }
+    if (hooks_.rows) rows = hooks_.rows(std::move(rows), scene_, result_.discretization);
     SolveInput input{.scene = scene_,
                      .discretization = result_.discretization,
                      .patches = std::move(result_.discretization.patches),
@@ -108,7 +103,7 @@ class Solutions {
                      .isContinued = settings.isContinued};
     result_.solution =
         hooks_.solve ? hooks_.solve(std::move(input)) : radiosity::solve(std::move(input), start.progress);
-    if (ahead) {
+    if (sharesRows()) {
       endTasks(*hooks_.ranks);
       result_.rowsAhead = ahead->counts();
     }

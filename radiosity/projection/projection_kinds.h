@@ -33,7 +33,7 @@ std::vector<ProjectionFace> hemicubeFaces(int resolution);
 /// Squared reach of a hemicube, given by its corners (see Projection::squaredReach).
 inline constexpr double hemicubeSquaredReach = 3;
 
-/// Near the optimum for all three resolutions, and a power of two, so that the rows x, y, w are exact.
+/// Near the optimum for all three resolutions of docs/light.md, and a power of two, so that the rows x, y, w are exact.
 inline constexpr double planeHalfWidth = 4;
 
 /// The single plane (Recker, George and Greenberg 1990): one square face over a point, wide enough for most of the
@@ -45,16 +45,7 @@ inline constexpr double planeHalfWidth = 4;
 ///     t         1      2      3      4      6      8      12     16
 ///     captured  0.554  0.831  0.917  0.951  0.978  0.987  0.994  0.997
 ///
-/// The lost share falls with 1/t^2, but pixels grow with t. The next table shows rows of the Cornell box: the sum of
-/// all errors (see reference::distanceToTruth), including the lost share, by width. The resolutions have a quarter,
-/// once and four times the pixels of a hemicube with R = 256:
-///
-///     t             1     2     3     4     6     8     12
-///     220 x 220     0.37  0.16  0.12  0.12  0.16  0.21  0.34
-///     442 x 442     0.37  0.14  0.08  0.06  0.07  0.09  0.14
-///     886 x 886     0.36  0.14  0.07  0.05  0.03  0.04  0.05
-///
-/// The sums of a hemicube are 0.031, 0.012 and 0.004: the plane is the fastest and the least accurate projection.
+/// docs/light.md has the errors of rows by width: the plane is the fastest and the least accurate projection.
 ///
 /// A plane of resolution x resolution pixels at a distance of 1, from -halfWidth to halfWidth along the axes of the
 /// projection. Shares are the integrals over the solid angle of each pixel, and `captured` is their sum.
@@ -74,13 +65,7 @@ Projection singlePlane(int resolution, double halfWidth = planeHalfWidth);
 /// their sample below it. Those corners count for the two adjacent pixels, half for each, so that the sum of all shares
 /// is exact.
 ///
-/// Rows of the Cornell box: sum of all errors (see reference::distanceToTruth), for equal numbers of pixels above the
-/// horizon:
-///
-///     hemicube       R = 32: 0.20   64: 0.079   128: 0.031   256: 0.0117   512: 0.0045
-///     tetrahedron    R = 44: 0.22   90: 0.077   180: 0.026   362: 0.0091   724: 0.0032
-///
-/// Its pixels are more uniform, but half of the pixels drawn are below the horizon.
+/// Its pixels are more uniform, but half of the pixels drawn are below the horizon; docs/light.md compares both.
 ///
 /// Delta form factors are rounded so that they sum to exactly 2^60. Three does not divide 2^60: the pixel at the first
 /// face's corner has one unit more than those of the others.

@@ -1,8 +1,6 @@
 #include "radiosity/solver/dynamic_solution.h"
 
 #include <algorithm>
-#include <span>
-#include <utility>
 
 #include "radiosity/discretization/edited_discretization.h"
 #include "radiosity/discretization/grid_size.h"

@@ -1,6 +1,5 @@
 #include "radiosity/solver/error_control.h"
 
-#include <algorithm>
 #include <array>
 #include <cassert>
 #include <cmath>

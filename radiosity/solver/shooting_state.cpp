@@ -4,8 +4,6 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
-#include <span>
-#include <utility>
 
 #include "raster/base/parallel.h"
 

@@ -1,7 +1,6 @@
 #include "raster/base/short_number.h"
 
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <iomanip>
 #include <locale>

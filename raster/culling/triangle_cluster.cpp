@@ -1,7 +1,6 @@
 #include "raster/culling/triangle_cluster.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 

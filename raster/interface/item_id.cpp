@@ -1,7 +1,6 @@
 #include "raster/interface/item_id.h"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <numeric>
 

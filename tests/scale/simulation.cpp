@@ -117,7 +117,7 @@ Run simulated(int ranks, const Scene& scene, const Discretization& discretizatio
                                {.resolution = resolution, .split = split});
   SceneFormFactors ofOthers(scene, discretization, layOut(discretization), {.resolution = resolution, .split = split});
   SimulatedRanks messenger(ranks, ofOthers.uncorrected(), measured);
-  RowsAhead rows(messenger, formFactors, settings.rowCacheBytes);
+  RowsAhead rows(&messenger, formFactors, settings.rowCacheBytes);
   solve({.scene = scene,
          .discretization = discretization,
          .patches = discretization.patches,

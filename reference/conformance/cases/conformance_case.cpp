@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <map>
-#include <utility>
 
 #include "reference/conformance/diagnosis/failure_text.h"
 #include "reference/conformance/suite/vector_suite.h"

@@ -1,7 +1,5 @@
 #include "reference/conformance/diagnosis/device_pair.h"
 
-#include <utility>
-
 namespace hemitex::reference {
 namespace {
 

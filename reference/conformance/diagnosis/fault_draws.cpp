@@ -3,7 +3,6 @@
 #include <bit>
 #include <cmath>
 #include <string>
-#include <utility>
 
 #include "reference/conformance/diagnosis/fault.h"
 

@@ -246,23 +246,25 @@ double toEncoded(double linear) {
   return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
 }
 
-/// The transfer functions of IEC 61966-2-1 on all channels but the fourth, which is alpha.
-std::vector<Variant> colourEncodings(const raster::IdFormat& format) {
-  const std::vector<Channel> channels = colourChannelsOf(format);
-  const auto with = [&](double (*transfer)(double)) {
-    return [=](ItemId id) {
-      return idOf(channels, [&](const Channel& channel) {
-        const double value = channel.of(id), largest = channel.largest();
-        const bool isAlpha = channels.size() == 4 && channel.shift == channels[3].shift;
-        return isAlpha ? value : transfer(value / largest) * largest;
-      });
-    };
+/// A curve on all channels but the fourth, which is alpha; values are from 0 to 1.
+IdChange onColours(const std::vector<Channel>& channels, const std::function<double(double)>& curve) {
+  return [=](ItemId id) {
+    return idOf(channels, [&](const Channel& channel) {
+      const double value = channel.of(id), largest = channel.largest();
+      const bool isAlpha = channels.size() == 4 && channel.shift == channels[3].shift;
+      return isAlpha ? value : curve(value / largest) * largest;
+    });
   };
-  return {{"index maps decoded", withTexels(with(toLinear)), channels},
-          {"target encoded", withIds(with(toEncoded)), channels}};
 }
 
-/// Curves that make a bright scene fit the display, on all channels but alpha.
+/// The transfer functions of IEC 61966-2-1.
+std::vector<Variant> colourEncodings(const raster::IdFormat& format) {
+  const std::vector<Channel> channels = colourChannelsOf(format);
+  return {{"index maps decoded", withTexels(onColours(channels, toLinear)), channels},
+          {"target encoded", withIds(onColours(channels, toEncoded)), channels}};
+}
+
+/// Curves that make a bright scene fit the display.
 std::vector<Variant> toneMappings(const raster::IdFormat& format) {
   const std::vector<Channel> channels = colourChannelsOf(format);
   const std::vector<std::pair<std::string, double (*)(double)>> curves{
@@ -272,14 +274,8 @@ std::vector<Variant> toneMappings(const raster::IdFormat& format) {
   std::vector<Variant> variants;
   for (const auto& [name, curve] : curves)
     for (const bool isEncoded : {false, true}) {
-      const auto map = [=, curve = curve](ItemId id) {
-        return idOf(channels, [&](const Channel& channel) {
-          const double value = channel.of(id), largest = channel.largest(), mapped = curve(value / largest);
-          const bool isAlpha = channels.size() == 4 && channel.shift == channels[3].shift;
-          return isAlpha ? value : (isEncoded ? toEncoded(mapped) : mapped) * largest;
-        });
-      };
-      variants.push_back({name + (isEncoded ? ", then sRGB" : ""), withIds(map), channels});
+      const auto shown = [=, curve = curve](double x) { return isEncoded ? toEncoded(curve(x)) : curve(x); };
+      variants.push_back({name + (isEncoded ? ", then sRGB" : ""), withIds(onColours(channels, shown)), channels});
     }
   return variants;
 }

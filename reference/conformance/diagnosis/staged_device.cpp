@@ -1,7 +1,6 @@
 #include "reference/conformance/diagnosis/staged_device.h"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 
 #include "reference/conformance/trace/fragments.h"

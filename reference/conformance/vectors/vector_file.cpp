@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <iterator>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -81,17 +80,6 @@ const Json& toList(const Json& value, const std::string& key, std::optional<std:
 glm::vec3 toVector(const Json& value, const std::string& key) {
   const Json& list = toList(value, key, 3);
   return {toFloat(list[0], key), toFloat(list[1], key), toFloat(list[2], key)};
-}
-
-glm::dvec3 toWideVector(const Json& value, const std::string& key) {
-  const Json& list = toList(value, key, 3);
-  glm::dvec3 result;
-  for (int k = 0; k < 3; ++k) {
-    const Json& number = list[static_cast<std::size_t>(k)];
-    if (!number.is_number() || !std::isfinite(number.get<double>())) throw InputError("\"" + key + "\" is not finite");
-    result[k] = number.get<double>();
-  }
-  return result;
 }
 
 /// The value of a key that may be null or absent.
@@ -296,7 +284,7 @@ TestVector readJson(const filesystem::path& folder, const Json& json) {
   TestVector vector;
   vector.name = toText(at(json, "name"), "name");
   vector.catches = toOptional(json, "catches", toText).value_or("");
-  vector.origin = toWideVector(at(json, "origin"), "origin");
+  vector.origin = vectorAt(json, "origin");
   raster::DrawList list;
   list.format.channelBits.clear();
   for (const Json& bits : toList(at(json, "channels"), "channels"))

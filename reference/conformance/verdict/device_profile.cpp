@@ -3,7 +3,6 @@
 #include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <string>
 
 #include "raster/base/file_io.h"
 #include "raster/base/input_error.h"

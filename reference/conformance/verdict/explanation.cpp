@@ -1,6 +1,9 @@
 #include "reference/conformance/verdict/explanation.h"
 
+#include <algorithm>
 #include <array>
+#include <boost/multiprecision/cpp_int.hpp>
+#include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -8,7 +11,7 @@
 #include "raster/base/input_error.h"
 #include "raster/plain/plain_renderer.h"
 #include "reference/conformance/trace/fragments.h"
-#include "reference/conformance/trace/pixel_trace.h"
+#include "reference/conformance/vectors/colour_channels.h"
 #include "reference/conformance/vectors/enum_names.h"
 #include "reference/conformance/verdict/error_pixel.h"
 
@@ -16,12 +19,11 @@ namespace hemitex::reference {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using raster::ClipPlane;
+using Rational = boost::multiprecision::cpp_rational;
+using raster::ClipPlane, raster::EdgeKind, raster::SnappedTriangle, raster::ViewVertex;
 
 Json list(const glm::vec2& v) { return {v.x, v.y}; }
 Json list(const glm::vec3& v) { return {v.x, v.y, v.z}; }
-Json list(const glm::dvec2& v) { return {v.x, v.y}; }
-Json list(const glm::ivec2& v) { return {v.x, v.y}; }
 
 constexpr std::array<Named<ClipPlane>, 8> clipPlaneNames{{{ClipPlane::Near, "near"},
                                                           {ClipPlane::ZeroZ, "z = 0"},
@@ -34,68 +36,152 @@ constexpr std::array<Named<ClipPlane>, 8> clipPlaneNames{{{ClipPlane::Near, "nea
 constexpr std::array<Named<EdgeKind>, 3> edgeKindNames{
     {{EdgeKind::Top, "top"}, {EdgeKind::Left, "left"}, {EdgeKind::Other, "other"}}};
 
-Json cornersOf(const Derivation& derivation) {
+// --- the triangle ---
+
+Json verticesOf(const raster::DrawList& drawn, const raster::Face& face, std::uint32_t triangle,
+                const std::array<ViewVertex, 3>& views) {
+  Json vertices;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::uint32_t index = drawn.indices[3 * std::size_t{triangle} + k];
+    const glm::vec3 position = drawn.positions[index];
+    vertices.push_back({{"index", index},
+                        {"position", list(position)},
+                        {"from_eye", list(position - face.eye)},
+                        {"view", list(glm::vec3(views[k].x, views[k].y, views[k].w))},
+                        {"texcoord", list(drawn.texcoords[index])}});
+  }
+  return vertices;
+}
+
+Json clipOf(const raster::DrawList& drawn, const raster::Face& face, const SnappedTriangle& screen,
+            const std::array<ViewVertex, 3>& views) {
+  Json cutBy = Json::array();
+  for (const ClipPlane plane : raster::clipPlanes(drawn.clipDepth))
+    if (raster::cuts(plane, views, face.nearDistance)) cutBy.push_back(nameOf(clipPlaneNames, plane));
+  const auto pieces = static_cast<int>(raster::clip(views, face.nearDistance, drawn.clipDepth).count) - 2;
+  return {{"cut_by", cutBy}, {"piece", screen.piece}, {"pieces", pieces}};
+}
+
+Json cornersOf(const SnappedTriangle& screen) {
   Json corners;
-  for (const DerivedCorner& corner : derivation.corners) {
-    const raster::ViewVertex& view = corner.view;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const ViewVertex& view = screen.vertices[k];
     corners.push_back({{"view", {view.x, view.y, view.w}},
                        {"texcoord", {view.u, view.v}},
-                       {"q", list(corner.q)},
-                       {"snapped", list(corner.snapped)}});
+                       {"q", {view.x / view.w, view.y / view.w}},
+                       {"snapped", {screen.corners[k].x, screen.corners[k].y}}});
   }
   return corners;
 }
 
-Json verticesOf(const Derivation& derivation) {
-  Json vertices;
-  for (const DerivedVertex& vertex : derivation.vertices)
-    vertices.push_back({{"index", vertex.index},
-                        {"position", list(vertex.position)},
-                        {"from_eye", list(vertex.fromEye)},
-                        {"view", list(vertex.view)},
-                        {"texcoord", list(vertex.texcoord)}});
-  return vertices;
+// --- the fragment at the sample ---
+
+/// A fragment with exact sums, which are rounded once to binary64.
+class ExactFragment {
+ public:
+  ExactFragment(const Fragment& fragment, const raster::SnappedPoint& sample)
+      : screen_(fragment.screen),
+        weights_(weightsAt(screen_, sample)),
+        overDepth_(raster::weightsOverDepth<Rational>(screen_, weights_)) {}
+
+  const raster::Weights& weights() const { return weights_; }
+  Rational inverseDepth() const { return raster::inverseDepth(overDepth_); }
+  Rational interpolated(double ViewVertex::*coordinate) const {
+    return raster::interpolated(screen_, overDepth_, coordinate);
+  }
+  /// The stored depth, or z/w in clip space; null where 1/w is the depth.
+  Json ownDepth(const raster::DrawList& drawn) const {
+    if (drawn.clipDepth == raster::ClipDepth::None && drawn.depthPrecision == raster::DepthPrecision::Exact) return {};
+    return coveredSample(screen_, weights_).depth;
+  }
+
+ private:
+  const SnappedTriangle& screen_;
+  raster::Weights weights_;
+  std::array<Rational, 3> overDepth_;
+};
+
+double rounded(const Rational& number) { return number.convert_to<double>(); }
+
+/// Clamped add has a sum per channel, integer add one, and replace none.
+Json sumsOf(const raster::DrawList& drawn, raster::ItemId offset, raster::ItemId texel, raster::ItemId id) {
+  Json sums = Json::array();
+  if (drawn.blend == raster::Blend::Replace) return sums;
+  const bool isClamped = drawn.blend == raster::Blend::ClampedAdd;
+  for (const Channel& channel :
+       isClamped ? channelsOf(drawn.format) : std::vector{Channel{0, raster::idBits(drawn.format)}})
+    sums.push_back({{"bits", channel.bits},
+                    {"offset", channel.of(offset)},
+                    {"texel", channel.of(texel)},
+                    {"result", channel.of(id)}});
+  return sums;
 }
 
-Json toJson(const Derivation& derivation) {
-  const Fragment& visible = derivation.visible;
-  Json cutBy = Json::array();
-  for (const ClipPlane plane : derivation.cutBy) cutBy.push_back(nameOf(clipPlaneNames, plane));
-  Json edges;
-  for (const DerivedEdge& edge : derivation.edges)
-    edges.push_back({{"value", edge.value}, {"kind", nameOf(edgeKindNames, edge.kind)}});
-  Json sums = Json::array();
-  for (const DerivedSum& sum : derivation.sums)
-    sums.push_back({{"bits", sum.bits}, {"offset", sum.offset}, {"texel", sum.texel}, {"result", sum.result}});
-  Json texel;
-  if (const auto& found = derivation.texel)
-    texel = {{"width", found->width},           {"height", found->height},   {"position", list(found->position)},
-             {"column", visible.texel->column}, {"row", visible.texel->row}, {"index", found->index}};
-  Json runnerUp;
-  if (const auto& other = derivation.runnerUp)
-    runnerUp = {{"triangle", other->drawn.triangle},
-                {"draw", other->drawn.draw},
-                {"inverse_depth", other->inverseDepth},
-                {"difference", other->difference}};
+/// The first fragment behind the visible one that is of another triangle; null without one.
+Json runnerUpOf(const raster::DrawList& drawn, const std::vector<Fragment>& fragments, const Rational& inverseDepth,
+                const raster::SnappedPoint& sample) {
+  const Fragment& front = fragments.front();
+  const auto other = std::find_if(fragments.begin(), fragments.end(), [&](const Fragment& fragment) {
+    return fragment.triangle != front.triangle || fragment.draw != front.draw;
+  });
+  if (other == fragments.end()) return {};
+  const ExactFragment exact(*other, sample);
+  const Rational behind = exact.inverseDepth();
+  Json runnerUp{{"triangle", other->triangle},
+                {"draw", other->draw},
+                {"inverse_depth", rounded(behind)},
+                {"difference", rounded(inverseDepth - behind)}};
+  if (const Json depth = exact.ownDepth(drawn); !depth.is_null()) runnerUp["depth"] = depth;
+  return runnerUp;
+}
+
+/// Every number from the vertices to the blend; null for the background.
+Json derivationOf(const raster::DrawList& drawn, const raster::Face& face, const std::vector<Fragment>& fragments,
+                  int column, int row) {
+  if (fragments.empty()) return {};
+  const Fragment& visible = fragments.front();
+  const SnappedTriangle& screen = visible.screen;
+  const std::array<ViewVertex, 3> views = raster::view(face, drawn, screen.number);
+  const raster::SnappedPoint sample = raster::sampleOf(column, row);
+  const ExactFragment exact(visible, sample);
+  const Rational u = exact.interpolated(&ViewVertex::u), v = exact.interpolated(&ViewVertex::v);
+  Json edges, weights;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::int64_t value = exact.weights()[k];
+    edges.push_back({{"value", value}, {"kind", nameOf(edgeKindNames, kindOf(directionOf(screen, k)))}});
+    weights.push_back(static_cast<double>(value) / static_cast<double>(std::abs(screen.area)));
+  }
+  Json texel, sums = Json::array();
+  if (visible.texel) {
+    const raster::Draw& draw = drawn.draws[visible.draw];
+    const raster::IndexMap& map = raster::mapOf(drawn, draw);
+    const raster::ItemId index = raster::indexAt(drawn, draw, *visible.texel);
+    texel = {{"width", map.width},
+             {"height", map.height},
+             {"position", {rounded(u * map.width), rounded(v * map.height)}},
+             {"column", visible.texel->column},
+             {"row", visible.texel->row},
+             {"index", index}};
+    sums = sumsOf(drawn, draw.offset, index, visible.id);
+  }
   Json steps{{"triangle", visible.triangle},
              {"draw", visible.draw},
-             {"vertices", verticesOf(derivation)},
-             {"clip", {{"cut_by", cutBy}, {"piece", derivation.piece}, {"pieces", derivation.pieces}}},
-             {"corners", cornersOf(derivation)},
-             {"sample", list(derivation.sample)},
-             {"area", derivation.area},
+             {"vertices", verticesOf(drawn, face, screen.number, views)},
+             {"clip", clipOf(drawn, face, screen, views)},
+             {"corners", cornersOf(screen)},
+             {"sample", {sample.x, sample.y}},
+             {"area", screen.area},
              {"faces_away", visible.facesAway},
              {"edges", edges},
-             {"weights", derivation.weights},
-             {"inverse_depth", derivation.inverseDepth},
-             {"u", derivation.coordinates.x},
-             {"v", derivation.coordinates.y},
+             {"weights", weights},
+             {"inverse_depth", rounded(exact.inverseDepth())},
+             {"u", rounded(u)},
+             {"v", rounded(v)},
              {"texel", texel},
              {"sums", sums},
              {"word", visible.id},
-             {"runner_up", runnerUp}};
-  if (derivation.depth) steps["depth"] = *derivation.depth;
-  if (derivation.runnerUp && derivation.runnerUp->depth) steps["runner_up"]["depth"] = *derivation.runnerUp->depth;
+             {"runner_up", runnerUpOf(drawn, fragments, exact.inverseDepth(), sample)}};
+  if (const Json depth = exact.ownDepth(drawn); !depth.is_null()) steps["depth"] = depth;
   return steps;
 }
 
@@ -140,15 +226,15 @@ Json explanation(const TestVector& vector, const VectorFace& face, int column, i
   requireInside(face.face.scissor, column, row);
   const auto triangles = raster::snappedTriangles(vector.list, face.face);
   const auto fragments = fragmentsAt(vector.list, triangles, column, row);
-  const auto derivation = derive(vector.list, face.face, fragments, column, row);
-  const raster::ItemId id = derivation ? derivation->visible.id : raster::clearedValue(vector.list);
-  const auto draw = derivation ? std::optional(derivation->visible.draw) : std::nullopt;
+  const bool isCovered = !fragments.empty();
+  const raster::ItemId id = isCovered ? fragments.front().id : raster::clearedValue(vector.list);
+  const auto draw = isCovered ? std::optional(fragments.front().draw) : std::nullopt;
   return {{"face", face.name},
           {"column", column},
           {"row", row},
           {"word", id},
           {"from", toText(originOf(vector.list, id, draw))},
-          {"derivation", derivation ? toJson(*derivation) : Json()},
+          {"derivation", derivationOf(vector.list, face.face, fragments, column, row)},
           {"triangles", trianglesOf(fragments)}};
 }
 

@@ -15,7 +15,8 @@ nlohmann::ordered_json viewOf(const raster::Face& face);
 /// `word` (the item ID), `from` (its draw and texel), `derivation` (null for the background) and `triangles`, those
 /// that cover the sample, nearest first. Throws InputError for a pixel outside the scissor rectangle.
 ///
-/// The derivation (see pixel_trace.h) is an object with the keys
+/// The derivation has every number from the vertices to the blend, which a reader can check by hand: exact values that
+/// are rounded once to binary64. It is an object with the keys
 ///
 /// - `triangle`, `draw`, `vertices` (`index`, `position`, `from_eye`, `view`, `texcoord`),
 /// - `clip` (`cut_by`, `piece`, `pieces`), `corners` (`view`, `texcoord`, `q`, `snapped`),

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cassert>
 
-#include "reference/conformance/vectors/vector_file.h"
-
 namespace hemitex::reference {
 
 void RepeatedRuns::add(std::span<const raster::ItemBuffer> buffers) {

@@ -1,8 +1,6 @@
 #include "reference/conformance/verdict/triangle_bounds.h"
 
-#include <algorithm>
 #include <boost/container/static_vector.hpp>
-#include <cmath>
 
 #include "raster/base/cross.h"
 #include "reference/conformance/trace/fragments.h"

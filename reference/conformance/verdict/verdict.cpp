@@ -5,8 +5,6 @@
 #include <iterator>
 
 #include "raster/base/parallel.h"
-#include "reference/conformance/vectors/vector_file.h"
-#include "reference/conformance/verdict/pixel_judge.h"
 
 namespace hemitex::reference {
 namespace {

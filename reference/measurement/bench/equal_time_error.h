@@ -3,7 +3,6 @@
 /// time of a hemicube.
 #pragma once
 
-#include <cstdint>
 #include <optional>
 #include <vector>
 

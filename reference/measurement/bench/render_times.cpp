@@ -6,7 +6,6 @@
 
 #include "radiosity/discretization/discretize.h"
 #include "radiosity/form_factors/item_buffer_sum.h"
-#include "radiosity/form_factors/scene_form_factors.h"
 #include "radiosity/index_maps/scene_draw_list.h"
 #include "radiosity/solver/progressive_solver.h"
 #include "raster/base/parallel.h"

@@ -2,7 +2,6 @@
 /// for the same pixels. All tasks run in interleaved repetitions (timing.h) on the same number of threads.
 #pragma once
 
-#include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>

@@ -3,7 +3,6 @@
 /// times of the parts of a solution.
 #pragma once
 
-#include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>

@@ -10,10 +10,8 @@
 #include <numbers>
 #include <utility>
 
-#include "radiosity/discretization/patch_points.h"
 #include "radiosity/projection/patch_view.h"
 #include "raster/base/parallel.h"
-#include "reference/truth/closed_forms/surface_pieces.h"
 #include "reference/truth/rays/embree_scene.h"
 #include "reference/truth/rays/ray_caster.h"
 #include "reference/truth/rays/sample_points.h"

@@ -29,9 +29,7 @@
 #pragma once
 
 #include <cstdint>
-#include <glm/glm.hpp>
 #include <memory>
-#include <vector>
 
 #include "radiosity/discretization/discretization.h"
 #include "radiosity/discretization/patch_points.h"

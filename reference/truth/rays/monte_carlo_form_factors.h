@@ -26,7 +26,6 @@
 #pragma once
 
 #include <cstdint>
-#include <glm/glm.hpp>
 #include <vector>
 
 #include "radiosity/discretization/discretization.h"

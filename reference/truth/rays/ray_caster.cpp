@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "reference/truth/rays/embree_scene.h"
-#include "reference/truth/rays/ray_meeting.h"
 
 namespace hemitex::reference {
 namespace {

@@ -5,11 +5,8 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <span>
 #include <utility>
 
-#include "radiosity/discretization/patch_points.h"
-#include "reference/truth/closed_forms/surface_pieces.h"
 #include "reference/truth/rays/ray_caster.h"
 #include "reference/truth/rays/sample_points.h"
 

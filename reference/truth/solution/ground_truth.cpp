@@ -6,7 +6,6 @@
 
 #include "raster/base/input_error.h"
 #include "raster/base/parallel.h"
-#include "reference/truth/solution/form_factor_matrix.h"
 
 namespace hemitex::reference {
 namespace {

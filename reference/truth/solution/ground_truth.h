@@ -9,9 +9,7 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <glm/glm.hpp>
-#include <span>
 #include <vector>
 
 #include "radiosity/discretization/discretization.h"

@@ -4,7 +4,6 @@
 #include <cassert>
 #include <cmath>
 
-#include "reference/truth/solution/form_factor_matrix.h"
 #include "reference/truth/solution/radiosity_error.h"
 
 namespace hemitex::reference {
