@@ -47,7 +47,7 @@ std::vector<glm::dvec3> cosineDirections(int side) {
 }
 
 /// The surfaces with visible backs that belong to components with a border, except emitters and closed shells, whose
-/// borders come from contacts, and double-sided cut-outs, which have a back.
+/// borders come from contacts.
 std::vector<std::uint32_t> openSurfaces(const Scene& scene) {
   std::vector<TrianglePositions> positions;
   std::vector<std::uint32_t> owners;
@@ -68,7 +68,7 @@ std::vector<std::uint32_t> openSurfaces(const Scene& scene) {
     if (hasBack[t] && hasBorder[components.owner[t]]) isOpen[owners[t]] = true;
   std::vector<std::uint32_t> open;
   for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s)
-    if (isOpen[s] && !emits(scene, s) && !scene.surfaces[s].twin) open.push_back(s);
+    if (isOpen[s] && !emits(scene, s)) open.push_back(s);
   return open;
 }
 
