@@ -47,6 +47,12 @@ std::string hashOf(const radiosity::Scene& scene) {
   }
   for (const radiosity::Material& material : scene.materials)
     light.add(material.reflectance, material.emission, material.reflectanceMap, material.emissionMap);
+  for (const radiosity::Material& material : scene.materials) {
+    if (!material.cutOut) continue;
+    light.add(material.cutOut->width, material.cutOut->height, material.cutOut->sampler.place,
+              material.cutOut->sampler.wrap);
+    for (const bool isHole : material.cutOut->isHole) light.add(isHole);
+  }
   if (!scene.wavelengths.empty()) {
     light.add(scene.wavelengths);
     for (const radiosity::Material& material : scene.materials)

@@ -12,8 +12,8 @@
 /// can select a phantom.)
 ///
 /// A part of a surface inside a solid is not exposed (see exposure.h). It does not count in areas and centres, so that
-/// it neither receives nor sends light. A completely buried texel is a phantom; a texel of which less than a quarter is
-/// exposed merges.
+/// it neither receives nor sends light. The holes of a cut-out count as buried. A completely buried texel is a phantom;
+/// a texel of which less than a quarter is exposed merges.
 ///
 /// With a quadtree the elements are its leaves, and all texels of a leaf map to one element. Slivers are still merged
 /// per texel: a sliver maps to the leaf of the neighbour that it merged with.
@@ -23,6 +23,7 @@
 #include <functional>
 #include <glm/glm.hpp>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -73,8 +74,10 @@ struct Grid {
   std::uint32_t phantoms = 0;                 ///< number of texels without area
   std::uint32_t buried = 0;                   ///< number of those that have area only inside solids
   std::vector<CutTexel> cutTexels = {};       ///< texels that are partly or completely buried, ascending
-  bool isDark = false;  ///< whether the surface is buried completely: it keeps its elements, which do not emit
-  std::optional<Quadtree> quadtree = {};  ///< its leaves are the elements; without quadtree each texel is a leaf
+  bool isDark = false;  ///< whether the surface is buried completely or all holes: it keeps its elements, which do not
+                        ///< emit
+  std::shared_ptr<const TexelMask> mask = {};  ///< of a cut-out: n x m texels per texel of the grid
+  std::optional<Quadtree> quadtree = {};       ///< its leaves are the elements; without quadtree each texel is a leaf
 };
 
 /// The numbers of consecutive elements, for loops. (clang 14 cannot compile std::views::iota of g++ 12's library.)
@@ -175,8 +178,11 @@ SurfaceValues emissions(const Scene& scene, const Discretization& discretization
 glm::dvec3 reflectance(const Scene& scene, const Discretization& discretization, std::uint32_t element);
 glm::dvec3 emission(const Scene& scene, const Discretization& discretization, std::uint32_t element);
 
-/// The texels of a grid and its cut texels. Keeps a reference to the grid.
-inline TexelGrid texelGrid(const Grid& grid) { return {grid.columns, grid.rows, grid.cutTexels}; }
+/// The texels of a grid, its cut texels and its holes, unless the surface has nothing else. Keeps references to the
+/// grid.
+inline TexelGrid texelGrid(const Grid& grid) {
+  return {grid.columns, grid.rows, grid.cutTexels, grid.isDark ? nullptr : grid.mask.get()};
+}
 
 /// The numbers of the patches of each of `surfaces` surfaces, ascending.
 std::vector<std::vector<std::uint32_t>> patchesOfSurfaces(const Patches& patches, std::size_t surfaces);

@@ -65,9 +65,13 @@ void validate(const Scene& scene, const DiscretizationSettings& settings) {
   }
 }
 
+bool coversAny(const TexelAreas& texels) {
+  return std::any_of(texels.coverage.begin(), texels.coverage.end(), [](double c) { return c > coverageNoise; });
+}
+
 /// If the charts of all triangles have no area, the texel with the largest surface area represents the surface.
 void coverOneAtLeast(TexelAreas& texels) {
-  if (std::any_of(texels.coverage.begin(), texels.coverage.end(), [](double c) { return c > coverageNoise; })) return;
+  if (coversAny(texels)) return;
   const auto largest = std::max_element(texels.area.begin(), texels.area.end()) - texels.area.begin();
   texels.coverage[static_cast<std::size_t>(largest)] = 1;
 }
@@ -100,6 +104,10 @@ void makeElements(const Surface& surface, std::uint32_t number, Discretization& 
   constexpr std::uint32_t none = ~0u;
   Grid& grid = part.grids.front();
   TexelAreas texels = texelAreas(surface, texelGrid(grid));
+  if (grid.mask && !coversAny(texels)) {  // all holes
+    grid.isDark = true;
+    texels = texelAreas(surface, texelGrid(grid));
+  }
   coverOneAtLeast(texels);
   grid.elementOfTexel = mergeSlivers(grid.columns, grid.rows, texels.coverage);
   LeafTriangles triangles(surface, grid);
@@ -199,13 +207,15 @@ std::vector<glm::dvec3> mappedValues(const Scene& scene, const Surface& surface,
 
 /// The discretization of one surface; elements and patches are numbered from 0. `quadtree` may be null.
 Discretization discretizeSurface(const Scene& scene, std::uint32_t number, const DiscretizationSettings& settings,
-                                 const GridSize& size, const Quadtree* quadtree, const Exposure& exposure) {
+                                 const GridSize& size, const Quadtree* quadtree, const Exposure& exposure,
+                                 const std::shared_ptr<const TexelMask>& mask) {
   const Surface& surface = scene.surfaces[number];
   Discretization part;
   part.grids.push_back({.columns = size.columns, .rows = size.rows, .elementOfTexel = {}, .covered = {}});
   if (quadtree) part.grids.front().quadtree = *quadtree;
   part.grids.front().cutTexels = exposure.cutTexels;
   part.grids.front().isDark = exposure.isBuried;
+  part.grids.front().mask = mask;
   makeElements(surface, number, part);
   const int side = patchSide(size, settings);
   if (quadtree) validateNesting(surface, size, *quadtree, side);
@@ -268,6 +278,10 @@ std::size_t endOfBlock(std::span<const GridSize> sizes, std::size_t first) {
 Discretization assembled(const Scene& scene, const DiscretizationSettings& settings, std::span<const GridSize> sizes,
                          const std::vector<Quadtree>& quadtrees, const std::vector<Exposure>& exposure) {
   std::vector<Discretization> blocks;
+  TexelMasks masks(scene);
+  std::vector<std::shared_ptr<const TexelMask>> maskOf;
+  for (std::size_t s = 0; s < sizes.size(); ++s)
+    maskOf.push_back(masks.of(scene.surfaces[s], sizes[s].columns, sizes[s].rows));
   for (std::size_t first = 0, end = 0; first < scene.surfaces.size(); first = end) {
     end = endOfBlock(sizes, first);
     std::vector<Discretization> parts(end - first);
@@ -275,7 +289,7 @@ Discretization assembled(const Scene& scene, const DiscretizationSettings& setti
       const std::size_t surface = first + i;
       const Quadtree* quadtree = quadtrees.empty() ? nullptr : &quadtrees[surface];
       parts[i] = discretizeSurface(scene, static_cast<std::uint32_t>(surface), settings, sizes[surface], quadtree,
-                                   exposure[surface]);
+                                   exposure[surface], maskOf[surface]);
     });
     blocks.push_back(joined(std::move(parts)));
   }

@@ -11,16 +11,22 @@ namespace {
 /// Visits the exposed parts of a piece of a triangle inside a cell.
 void visitCell(std::uint32_t triangle, std::size_t texel, const Piece& piece, const TexelGrid& grid,
                const TexelPieceVisitor& visit) {
+  const auto visitOpaque = [&](const Piece& exposed) {
+    if (grid.mask == nullptr) return visit(texel, triangle, exposed);
+    forEachOpaquePart(*grid.mask, glm::dvec2(grid.columns, grid.rows), exposed,
+                      [&](const Piece& part) { visit(texel, triangle, part); });
+  };
   const CutTexel* const cut = findCut(grid.cut, texel);
-  if (cut == nullptr) return visit(texel, triangle, piece);
+  if (cut == nullptr) return visitOpaque(piece);
   if (share(piece) == 0) return;  // a cell that the chart only touches maps to the next texel
   for (const TexelPiece& exposed : cut->exposed)
-    if (exposed.triangle == triangle) visit(texel, triangle, exposed.piece);
+    if (exposed.triangle == triangle) visitOpaque(exposed.piece);
 }
 
 }  // namespace
 
 bool hasCutTexel(const TexelGrid& grid, const glm::dvec2& low, const glm::dvec2& high) {
+  if (grid.mask != nullptr && hasHole(*grid.mask, glm::dvec2(grid.columns, grid.rows), low, high)) return true;
   return std::any_of(grid.cut.begin(), grid.cut.end(), [&](const CutTexel& cut) {
     const double column = cut.texel % static_cast<std::uint32_t>(grid.columns);
     const double row = cut.texel / static_cast<std::uint32_t>(grid.columns);

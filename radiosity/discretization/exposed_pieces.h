@@ -1,5 +1,6 @@
 /// The exposed pieces of a surface: the pieces of its triangles in the texels of its grid, without those inside solids.
-/// A solid that stands on a surface buries a part of it, which neither receives nor sends light.
+/// A solid that stands on a surface buries a part of it, which neither receives nor sends light. Nor do the holes of a
+/// cut-out, which count as buried.
 #pragma once
 
 #include <array>
@@ -9,6 +10,7 @@
 #include <span>
 #include <vector>
 
+#include "radiosity/cut_outs/texel_mask.h"
 #include "radiosity/geometry/grid_clipping.h"
 #include "radiosity/scene/scene.h"
 
@@ -30,12 +32,13 @@ struct CutTexel {
 struct TexelGrid {
   int columns = 1, rows = 1;
   std::span<const CutTexel> cut;
+  const TexelMask* mask = nullptr;  ///< the holes of a cut-out; null without
 };
 
 /// The entry of a texel; null if the texel is completely exposed.
 const CutTexel* findCut(std::span<const CutTexel> cut, std::size_t texel);
 
-/// Whether a cut texel intersects the interior of the rectangle [low, high], in texels.
+/// Whether a cut texel or a hole intersects the interior of the rectangle [low, high], in texels.
 bool hasCutTexel(const TexelGrid& grid, const glm::dvec2& low, const glm::dvec2& high);
 
 /// The chart of a triangle in texels. Exact, because a coordinate has 24 bits and a grid at most 4096 columns and rows.

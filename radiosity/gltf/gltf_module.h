@@ -40,6 +40,7 @@ struct GltfMaterial {
   glm::dvec3 emission{0.0};         ///< linear
   std::optional<int> emissionTexture = {};
   std::optional<GltfLightMap> lightMap = {};  ///< without it the material is unlit
+  bool isCutOut = false;                      ///< whether the alpha of its texture has holes
 };
 
 /// Triangles with one material.
@@ -89,6 +90,9 @@ struct ImportedMaterial {
   int texcoords = 0;                                    ///< the set of texture coordinates that its textures use
   glm::dvec3 emission{0.0};                             ///< the emissive factor times the emissive strength
   std::optional<int> emissionImage = {};                ///< in GltfImport::images
+  double alpha = 1;                                     ///< the factor of alpha
+  std::optional<double> cutoff = {};                    ///< of alphaMode MASK
+  bool isDoubleSided = false;
   std::string transparency = {};  ///< what lets light through, such as `BLEND`; empty if nothing does
 };
 

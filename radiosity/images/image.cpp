@@ -141,7 +141,11 @@ class RowCollector {
     }
   }
 
-  Image image() && { return std::move(image_); }
+  Image image() && {
+    if (std::all_of(image_.alpha.begin(), image_.alpha.end(), [](float alpha) { return alpha >= 1; }))
+      image_.alpha = {};
+    return std::move(image_);
+  }
 
  private:
   /// Some decoders need memory for the whole image as it is in the file.
@@ -160,6 +164,7 @@ class RowCollector {
                           "the image of " + std::to_string(width) + " x " + std::to_string(height) + " pixels",
                           "scale it down");
     sums_.resize(static_cast<std::size_t>(image_.width));
+    alphaSums_.resize(rows.channels % 2 == 0 ? sums_.size() : 0);
     counts_.resize(sums_.size());
     image_.pixels.reserve(sums_.size() * static_cast<std::size_t>(image_.height));
   }
@@ -176,6 +181,7 @@ class RowCollector {
   template <typename Sample, typename Decode>
   void addRows(const ImageSamples& rows, const std::vector<Sample>& samples, const Decode& decode) {
     const auto stride = static_cast<std::size_t>(rows.channels);
+    const bool hasAlpha = stride % 2 == 0;
     const Sample* s = samples.data();
     for (int row = 0; row < rows.height; ++row) {
       for (int column = 0; column < rows.width; ++column, s += stride) {
@@ -184,6 +190,7 @@ class RowCollector {
         if (!std::isfinite(pixel.r + pixel.g + pixel.b))
           throw raster::InputError(file_.string(), 0, "holds a value that is not finite", "repair the image");
         const auto place = static_cast<std::size_t>(covering(column, sourceWidth_, image_.width));
+        if (hasAlpha) alphaSums_[place] = (counts_[place] == 0 ? 0 : alphaSums_[place]) + alphaOf(s[stride - 1]);
         sums_[place] = counts_[place]++ == 0 ? pixel : sums_[place] + pixel;
       }
       endRow();
@@ -198,15 +205,20 @@ class RowCollector {
       return;
     for (std::size_t i = 0; i < sums_.size(); ++i) {
       image_.pixels.push_back(counts_[i] == 1 ? sums_[i] : sums_[i] / static_cast<double>(counts_[i]));
+      if (!alphaSums_.empty()) image_.alpha.push_back(alphaSums_[i] / static_cast<float>(counts_[i]));
       counts_[i] = 0;
     }
   }
+
+  static float alphaOf(std::uint8_t code) { return static_cast<float>(code) / 255; }
+  static float alphaOf(float value) { return value; }
 
   const std::filesystem::path& file_;
   Image image_;
   int sourceWidth_ = 0, sourceHeight_ = 0;
   int row_ = 0;                   ///< rows so far
   std::vector<glm::dvec3> sums_;  ///< per pixel of the present row of the image
+  std::vector<float> alphaSums_;  ///< as sums_; empty without alpha
   std::vector<int> counts_;
 };
 
@@ -287,7 +299,16 @@ Image decodeImage(const std::vector<unsigned char>& bytes, const std::filesystem
 }
 
 std::vector<unsigned char> encodePng(const CodedImage& image, const std::filesystem::path& file) {
-  return encode(file, "png", "sRGB", {image.width, image.height, 3, image.codes});
+  ImageSamples samples{image.width, image.height, 3, image.codes};
+  if (!image.isHole.empty()) {
+    samples.channels = 4;
+    samples.codes.clear();
+    for (std::size_t pixel = 0; pixel < image.isHole.size(); ++pixel) {
+      samples.codes.insert(samples.codes.end(), &image.codes[3 * pixel], &image.codes[3 * pixel] + 3);
+      samples.codes.push_back(image.isHole[pixel] ? 0 : 255);
+    }
+  }
+  return encode(file, "png", "sRGB", samples);
 }
 
 void writePng(const std::filesystem::path& file, const Image& image) {

@@ -35,6 +35,7 @@ struct Image {
   int height = 0;
   std::vector<glm::dvec3> pixels;  ///< width * height pixels
   Sampler sampler = {};
+  std::vector<float> alpha = {};  ///< of each pixel; empty if all are 1
 };
 
 /// Row-major RGB image with 8-bit sRGB codes, in an eighth of the memory of an Image; row 0 is the top.
@@ -43,6 +44,7 @@ struct CodedImage {
   int height = 0;
   std::vector<std::uint8_t> codes;  ///< 3 * width * height codes
   Sampler sampler = {};
+  std::vector<bool> isHole = {};  ///< pixels with alpha 0; empty if all have 1
 };
 
 /// Image with any number of named channels, such as one per band of wavelengths: row-major, linear values, channel by
@@ -73,8 +75,8 @@ glm::dvec2 nearPlace(const glm::dvec2& place, const std::array<Wrap, 2>& wrap);
 glm::dvec3 bilinear(const Image& image, const glm::dvec2& uv);
 glm::dvec3 bilinear(const CodedImage& image, const glm::dvec2& uv);
 
-/// Reads an image as linear RGB. 8-bit files are sRGB-decoded, others are linear. Grey becomes three equal channels;
-/// alpha is dropped. An image of more than 2^24 pixels is reduced while it is read: its sides are divided by the
+/// Reads an image as linear RGB with alpha. 8-bit files are sRGB-decoded, others are linear. Grey becomes three equal
+/// channels. An image of more than 2^24 pixels is reduced while it is read: its sides are divided by the
 /// smallest power of two that gives at most 2^24 pixels, and each new pixel is the mean of the linear values that it
 /// covers. Throws InputError if the file cannot be read, contains a NaN or an infinity, or has more than 2^28 pixels.
 Image readImage(const std::filesystem::path& file);
@@ -82,8 +84,8 @@ Image readImage(const std::filesystem::path& file);
 /// As readImage for the bytes of a PNG, JPEG or WebP file; `name` is for messages.
 Image decodeImage(const std::vector<unsigned char>& bytes, const std::filesystem::path& name);
 
-/// The bytes of an 8-bit sRGB PNG; equal pixels give equal bytes. Throws InputError, which names `file`, if the image
-/// cannot be encoded.
+/// The bytes of an 8-bit sRGB PNG, with alpha if it has holes; equal pixels give equal bytes. Throws InputError, which
+/// names `file`, if the image cannot be encoded.
 std::vector<unsigned char> encodePng(const CodedImage& image, const std::filesystem::path& file);
 /// Writes an 8-bit sRGB PNG; equal pixels give equal files. Throws InputError if the file cannot be written.
 void writePng(const std::filesystem::path& file, const Image& image);

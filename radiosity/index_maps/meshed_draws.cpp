@@ -127,7 +127,13 @@ class Mesher {
     forEachCellOf(polygon, [&](std::int64_t column, std::int64_t row, const Piece& piece) {
       if (share(piece) == 0) return;
       const std::uint32_t element = grid.elementOfTexel[texelOfCell(column, row, grid.columns, grid.rows)];
-      appendPiece(triangle, piece, idOf(discretization_, layout_, element));
+      const auto append = [&](const Piece& part) {
+        appendPiece(triangle, part, idOf(discretization_, layout_, element));
+      };
+      if (grid.mask)
+        forEachOpaquePart(*grid.mask, glm::dvec2(grid.columns, grid.rows), piece, append);
+      else
+        append(piece);
     });
   }
 

@@ -1,6 +1,7 @@
 #include "radiosity/index_maps/scene_draw_list.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <numeric>
@@ -31,6 +32,38 @@ std::optional<int> indexMapOf(const Grid& grid, const Page& page, bool isUnique,
   return map->second;
 }
 
+/// The index map of a cut-out, with the indices in its page of the texels of the grid.
+raster::IndexMap holedMap(const Grid& grid, const RectanglePlace& place, const Page& page, bool isUnique) {
+  const TexelMask& mask = *grid.mask;
+  raster::IndexMap map{mask.columns, mask.rows, {}};
+  map.ids.reserve(mask.isHole.size());
+  for (int row = 0; row < mask.rows; ++row)
+    for (int column = 0; column < mask.columns; ++column) {
+      const int c = column / (mask.columns / grid.columns), r = row / (mask.rows / grid.rows);
+      const std::uint32_t index = isUnique
+                                      ? grid.elementOfTexel[static_cast<std::size_t>(r * grid.columns + c)]
+                                      : static_cast<std::uint32_t>((place.row + r) * page.columns + place.column + c);
+      map.ids.push_back(mask.isHole[map.ids.size()] ? raster::holeTexel : index);
+    }
+  return map;
+}
+
+/// The maps of cut-outs so far. Surfaces with equal masks share theirs if the indices are the same.
+class HoledMaps {
+ public:
+  int of(const Grid& grid, const RectanglePlace& place, const Page& page, bool isUnique,
+         std::vector<raster::IndexMap>& maps) {
+    const auto next = static_cast<int>(maps.size());
+    const std::array<int, 5> indices{page.columns, place.column, place.row, grid.columns, isUnique ? next : -1};
+    const auto [known, isNew] = numbers_.try_emplace({grid.mask.get(), indices}, next);
+    if (isNew) maps.push_back(holedMap(grid, place, page, isUnique));
+    return known->second;
+  }
+
+ private:
+  std::map<std::pair<const TexelMask*, std::array<int, 5>>, int> numbers_;
+};
+
 /// Converts a chart coordinate to a page of `side` texels, strictly between the borders of the surface's texels.
 float inPage(double chart, int start, int texels, int side) {
   const float low = static_cast<float>(start) / static_cast<float>(side);
@@ -46,7 +79,7 @@ struct TexelPlace {
   int columns, rows;  ///< of the index map
 
   glm::vec2 coordinates(const glm::dvec2& chart) const {
-    if (columns == grid.columns && rows == grid.rows) return chart;
+    if (grid.mask || (columns == grid.columns && rows == grid.rows)) return chart;
     return {inPage(chart.x, place.column, grid.columns, columns), inPage(chart.y, place.row, grid.rows, rows)};
   }
 };
@@ -66,11 +99,34 @@ raster::Draw& appendDraw(raster::DrawList& list, std::span<const Triangle> trian
   return list.draws.back();
 }
 
+std::optional<int> HoleMaps::numberOf(raster::DrawList& list, const Surface& surface) {
+  const std::shared_ptr<const TexelMask> mask = masks_.of(surface, 1, 1);
+  if (!mask) return std::nullopt;
+  const auto [known, isNew] = numbers_.try_emplace(mask, static_cast<int>(list.indexMaps.size()));
+  if (isNew) {
+    raster::IndexMap map{mask->columns, mask->rows, {}};
+    for (const bool isHole : mask->isHole) map.ids.push_back(isHole ? raster::holeTexel : 0);
+    list.indexMaps.push_back(std::move(map));
+  }
+  return known->second;
+}
+
+void HoleMaps::cutLast(raster::DrawList& list, const Surface& surface, std::span<const Triangle> triangles,
+                       const Instance& instance) {
+  raster::Draw& draw = list.draws.back();
+  draw.indexMap = numberOf(list, surface);
+  if (!draw.indexMap) return;
+  std::size_t corner = draw.first;
+  for (const Triangle& triangle : triangles)
+    for (const glm::dvec2& chart : placed(triangle, instance).chart) list.texcoords[corner++] = chart;
+}
+
 raster::DrawList makeDrawList(const Scene& scene, const Discretization& discretization, const IdLayout& layout) {
   raster::DrawList list;
   list.format = layout.format;
   list.blend = layout.blend;
   std::map<std::pair<int, int>, int> mapsBySize;
+  HoledMaps holed;
   const bool isUnique = layout.indexMaps == IndexMaps::Unique;
   for (const Instance& instance : scene.instances)
     for (std::size_t surface = 0; surface < scene.surfaces.size(); ++surface) {
@@ -83,8 +139,9 @@ raster::DrawList makeDrawList(const Scene& scene, const Discretization& discreti
       raster::Draw& draw = appendDraw(list, scene.surfaces[surface].triangles, instance, scene.origin);
       draw.offset = page.offset;
       draw.back = raster::backId(layout.format);
-      draw.indexMap =
-          isImage ? list.draws[surface].indexMap : indexMapOf(grid, page, isUnique, mapsBySize, list.indexMaps);
+      draw.indexMap = isImage     ? list.draws[surface].indexMap
+                      : grid.mask ? std::optional(holed.of(grid, place, page, isUnique, list.indexMaps))
+                                  : indexMapOf(grid, page, isUnique, mapsBySize, list.indexMaps);
       for (const Triangle& triangle : scene.surfaces[surface].triangles)
         for (const glm::dvec2& chart : placed(triangle, instance).chart)
           list.texcoords[corner++] = texels.coordinates(chart);
@@ -96,10 +153,12 @@ raster::DrawList drawListWithBlockers(const Scene& scene, const Discretization& 
                                       const IdLayout& layout) {
   raster::DrawList list = makeDrawList(scene, discretization, layout);
   const raster::ItemId blocker = raster::backId(layout.format) - 1;
+  HoleMaps holes(scene);
   for (std::size_t draw = scene.surfaces.size(); draw < list.draws.size(); ++draw) {
     list.draws[draw].offset = blocker;
     list.draws[draw].back = {};
-    list.draws[draw].indexMap = {};
+    const Surface& surface = scene.surfaces[draw % scene.surfaces.size()];
+    list.draws[draw].indexMap = holes.numberOf(list, surface);
   }
   return list;
 }

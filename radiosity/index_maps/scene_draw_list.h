@@ -1,6 +1,9 @@
 /// The draw list of a scene: offsets and index maps from the item ID layout, charts as texture coordinates.
 #pragma once
 
+#include <map>
+#include <memory>
+#include <optional>
 #include <span>
 
 #include "radiosity/discretization/discretization.h"
@@ -13,7 +16,7 @@ namespace hemitex::radiosity {
 /// Makes one draw per surface and instance, with the reserved back item ID. An image has its own positions in the list,
 /// because draws have no transforms (docs/item-buffers.md), and the item IDs of its surface. The surface's chart is
 /// moved to its place in its page, and its index map is the shared one of the page's size or its own. Triangle t of the
-/// list is triangle t in space.
+/// list is triangle t in space. A cut-out has the index map of its mask, with holes, over its chart.
 ///
 /// A chart that does not fill its page lies strictly inside its place, by at least one binary32 step. So no sample
 /// selects a texel of another surface. This is sufficient for three reasons. The side of a page is a power of two, so
@@ -31,5 +34,21 @@ raster::DrawList drawListWithBlockers(const Scene& scene, const Discretization& 
 /// offset 0 and without the item ID of backs and index map. Returns the draw.
 raster::Draw& appendDraw(raster::DrawList& list, std::span<const Triangle> triangles, const Instance& instance,
                          const glm::dvec3& origin);
+
+/// Cuts the holes of surfaces into draws whose item IDs are only offsets: each gets an index map of zeros and holes.
+class HoleMaps {
+ public:
+  explicit HoleMaps(const Scene& scene) : masks_(scene) {}
+
+  /// The number of the index map of a surface, which is appended if it is new; none without a cut-out.
+  std::optional<int> numberOf(raster::DrawList& list, const Surface& surface);
+  /// Cuts the last draw of a list, which has these triangles of a surface.
+  void cutLast(raster::DrawList& list, const Surface& surface, std::span<const Triangle> triangles,
+               const Instance& instance);
+
+ private:
+  TexelMasks masks_;
+  std::map<std::shared_ptr<const TexelMask>, int> numbers_;  ///< of index maps
+};
 
 }  // namespace hemitex::radiosity

@@ -14,9 +14,13 @@ namespace {
 raster::DrawList drawsOfBacks(const Scene& scene) {
   raster::DrawList list;
   list.format = *raster::formatNamed("r32ui");
+  HoleMaps holes(scene);
   for (const Instance& instance : scene.instances)
-    for (std::size_t s = 0; s < scene.surfaces.size(); ++s)
-      appendDraw(list, scene.surfaces[s].triangles, instance, scene.origin).back = static_cast<raster::ItemId>(s + 1);
+    for (std::size_t s = 0; s < scene.surfaces.size(); ++s) {
+      const Surface& surface = scene.surfaces[s];
+      appendDraw(list, surface.triangles, instance, scene.origin).back = static_cast<raster::ItemId>(s + 1);
+      holes.cutLast(list, surface, surface.triangles, instance);
+    }
   return list;
 }
 

@@ -15,9 +15,11 @@ raster::DrawList makeTriangleList(const Scene& scene) {
   raster::DrawList list;
   list.format = *raster::formatNamed("r32ui");
   raster::ItemId number = 0;
+  HoleMaps holes(scene);
   forEachPlace(scene, [&](const TrianglePlace& place) {
     const Triangle& triangle = scene.surfaces[place.surface].triangles[place.triangle];
     appendDraw(list, {&triangle, 1}, scene.instances[place.instance], scene.origin).offset = number++;
+    holes.cutLast(list, scene.surfaces[place.surface], {&triangle, 1}, scene.instances[place.instance]);
   });
   return list;
 }

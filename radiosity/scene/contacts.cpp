@@ -39,6 +39,7 @@ struct SceneTriangles {
   std::vector<TrianglePositions> positions;
   std::vector<std::uint32_t> surfaces;
   std::vector<std::int64_t> ranks;  ///< see ContactRules
+  std::vector<bool> areHoled;       ///< of cut-outs, which are in contact with nothing and enclose nothing
 
   explicit SceneTriangles(const Scene& scene) {
     const auto count = static_cast<std::int64_t>(triangleCount(scene));
@@ -47,6 +48,7 @@ struct SceneTriangles {
         const auto number = static_cast<std::int64_t>(positions.size());
         positions.push_back(triangle.position);
         surfaces.push_back(s);
+        areHoled.push_back(cutOutOf(scene, scene.surfaces[s]) != nullptr);
         ranks.push_back(isBack(scene, s) ? -number : number + count);
       }
   }
@@ -62,19 +64,34 @@ struct SceneTriangles {
   }
 };
 
-/// The faces in the place of each triangle.
+/// The shells of a scene. Those with holes are not closed.
+Shells shellsOf(const SceneTriangles& triangles) {
+  Shells shells = findShells(triangles.positions);
+  for (std::size_t t = 0; t < triangles.areHoled.size(); ++t)
+    if (triangles.areHoled[t]) shells.isClosed[shells.ofTriangle[t]] = false;
+  return shells;
+}
+
+/// The faces in the place of a triangle.
+std::vector<FaceInPlace> facesInPlaceOf(const Scene& scene, const SceneTriangles& triangles, const RayTree& tree,
+                                        std::size_t t) {
+  const double tolerance = contactTolerance(scene);
+  const auto& [a, b, c] = triangles.positions[t];
+  std::vector<std::uint32_t> numbers;
+  tree.appendNear(glm::min(glm::min(a, b), c) - tolerance, glm::max(glm::max(a, b), c) + tolerance, numbers);
+  std::vector<NumberedTriangle> near;
+  for (const std::uint32_t number : numbers)
+    if (number != t && !triangles.areHoled[number % triangles.areHoled.size()])
+      near.push_back(triangles.at(scene, number));
+  return facesInPlace(triangles.positions[t], near, tolerance);
+}
+
+/// The faces in the place of each triangle but cut-outs.
 std::vector<std::vector<FaceInPlace>> facesInPlaces(const Scene& scene, const SceneTriangles& triangles,
                                                     const RayTree& tree) {
-  const double tolerance = contactTolerance(scene);
   std::vector<std::vector<FaceInPlace>> others(triangles.positions.size());
   raster::parallelFor(others.size(), [&](std::size_t t) {
-    const auto& [a, b, c] = triangles.positions[t];
-    std::vector<std::uint32_t> numbers;
-    tree.appendNear(glm::min(glm::min(a, b), c) - tolerance, glm::max(glm::max(a, b), c) + tolerance, numbers);
-    std::vector<NumberedTriangle> near;
-    for (const std::uint32_t number : numbers)
-      if (number != t) near.push_back(triangles.at(scene, number));
-    others[t] = facesInPlace(triangles.positions[t], near, tolerance);
+    if (!triangles.areHoled[t]) others[t] = facesInPlaceOf(scene, triangles, tree, t);
   });
   return others;
 }
@@ -290,6 +307,21 @@ std::vector<std::string> coverWarnings(const std::set<std::pair<std::string, std
   return warnings;
 }
 
+/// One sentence for each cut-out in the place of another face.
+std::vector<std::string> cutOutWarnings(const Scene& scene, const SceneTriangles& triangles, const RayTree& tree) {
+  std::set<std::pair<std::uint32_t, std::uint32_t>> pairs;
+  for (std::size_t t = 0; t < triangles.areHoled.size() && pairs.size() < maxWarnings; ++t)
+    if (triangles.areHoled[t] && !isBack(scene, triangles.surfaces[t]))
+      for (const FaceInPlace& other : facesInPlaceOf(scene, triangles, tree, t))
+        pairs.emplace(triangles.surfaces[t], triangles.surfaces[other.number]);
+  std::vector<std::string> warnings;
+  for (const auto& [cutOut, other] : pairs)
+    warnings.push_back("the cut-out `" + raster::excerpt(scene.surfaces[cutOut].name) + "` lies in the place of `" +
+                       raster::excerpt(scene.surfaces[other].name) +
+                       "`, so that either may be lit and seen; move it a little off");
+  return warnings;
+}
+
 /// The surfaces of which a triangle looks the other way than the rest of a closed shell.
 std::vector<std::string> turnedWarnings(const Scene& scene, const SceneTriangles& triangles, const Shells& shells) {
   std::set<std::uint32_t> turned;
@@ -369,7 +401,7 @@ std::vector<Triangle> trianglesOf(const Triangle& whole, std::span<const glm::dv
 
 Contacts findContacts(Scene& scene) {
   const SceneTriangles triangles(scene);
-  const Shells shells = findShells(triangles.positions);
+  const Shells shells = shellsOf(triangles);
   scene.shellVolumes.clear();
   std::vector<std::int32_t> closed;  // the number of each shell, or 0
   for (std::size_t shell = 0; shell < shells.kinds.size(); ++shell) {
@@ -386,6 +418,7 @@ Contacts findContacts(Scene& scene) {
   const RayTree tree(scene);
   Contacts contacts{partsInContact(scene, triangles, shells, tree), {}, turnedWarnings(scene, triangles, shells)};
   contacts.cuts = cutsOf(scene, triangles, contacts.parts, tree);
+  for (std::string& warning : cutOutWarnings(scene, triangles, tree)) contacts.warnings.push_back(std::move(warning));
   for (std::string& warning : emptyRoomWarnings(scene, triangles, shells, tree))
     contacts.warnings.push_back(std::move(warning));
   return contacts;
@@ -435,7 +468,7 @@ void removeEmptySurfaces(Scene& scene) {
 void findBacked(Scene& scene) {
   const SceneTriangles triangles(scene);
   const std::vector<std::vector<ContactPart>> parts =
-      partsInContact(scene, triangles, findShells(triangles.positions), RayTree(scene));
+      partsInContact(scene, triangles, shellsOf(triangles), RayTree(scene));
   std::size_t number = 0;
   for (Surface& surface : scene.surfaces)
     for (Triangle& triangle : surface.triangles) {

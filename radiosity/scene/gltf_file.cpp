@@ -125,6 +125,8 @@ class DecodedImages {
     return withSampler(set_, *known->second, sampler, variants_[image], memory_);
   }
 
+  const Image& at(int image) const { return set_.images[static_cast<std::size_t>(image)]; }
+
  private:
   std::optional<int> decodeNew(const ImportedImage& image) {
     if (image.bytes.empty()) {
@@ -152,6 +154,16 @@ class DecodedImages {
   std::map<int, std::vector<int>> variants_;  ///< see withSampler
 };
 
+/// The holes of alphaMode MASK: where alpha is below the cutoff.
+void cut(const ImportedMaterial& given, DecodedImages& images, Material& material) {
+  const Image opaque{1, 1, {glm::dvec3(1)}};
+  const CutOut cutOut =
+      cutOutOf(material.reflectanceMap ? images.at(*material.reflectanceMap) : opaque, given.alpha, *given.cutoff);
+  if (std::find(cutOut.isHole.begin(), cutOut.isHole.end(), true) == cutOut.isHole.end()) return;
+  material.cutOut = std::make_shared<CutOut>(cutOut);
+  material.isDoubleSided = given.isDoubleSided;
+}
+
 /// `isColoured`: its faces have colours of vertices.
 Material materialOf(const ImportedMaterial& given, bool isColoured, DecodedImages& images,
                     const std::filesystem::path& file, const SceneSettings& settings,
@@ -168,6 +180,7 @@ Material materialOf(const ImportedMaterial& given, bool isColoured, DecodedImage
     material.reflectanceMap = images.decode(*given.baseColorImage, given.baseColorSampler);
     if (!material.reflectanceMap) material.reflectance = glm::dvec3(grey);
   }
+  if (given.cutoff) cut(given, images, material);
   if (!given.transparency.empty()) warnings.push_back(owner + opaqueWarning(given.transparency));
   material.emission = given.emission * radiosityPerUnit(settings.emission);
   if (std::max({material.emission.r, material.emission.g, material.emission.b}) > largestEmission)

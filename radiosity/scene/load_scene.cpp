@@ -223,6 +223,14 @@ void addBacks(Scene& scene, const std::vector<std::uint32_t>& numbers) {
   }
 }
 
+/// The cut-outs that the file says are double-sided.
+std::vector<std::uint32_t> doubleSidedCutOuts(const Scene& scene) {
+  std::vector<std::uint32_t> numbers;
+  for (const std::uint32_t s : allSurfaces(scene))
+    if (scene.materials[static_cast<std::size_t>(scene.surfaces[s].material)].isDoubleSided) numbers.push_back(s);
+  return numbers;
+}
+
 /// Gives all surfaces of facets a back. That of facet n of N is the facet n + N.
 void addBacksOfFacets(Scene& scene) {
   const std::size_t fronts = scene.surfaces.size();
@@ -392,10 +400,15 @@ Scene makeScene(PolygonMesh mesh, const MaterialSource& materials, const std::fi
     addSurfaces(scene, layCharts(std::move(sections[s]), mesh, file, settings), family, choice.ofSection[s], object);
   }
   flip(scene, settings.flip, file);
+  if (settings.facets && hasCutOuts(scene))
+    fail({file}, "facets have no holes, but its materials have cut-outs (docs/files.md)",
+         "compute the matrix of its elements, or make the materials opaque");
   if (settings.sides == Sides::Two && settings.facets)
     addBacksOfFacets(scene);
   else if (settings.sides == Sides::Two)
     addBacks(scene, allSurfaces(scene));
+  else if (const std::vector<std::uint32_t> cutOuts = doubleSidedCutOuts(scene); !cutOuts.empty())
+    addBacks(scene, cutOuts);
   setSymmetry(scene, settings.symmetry);
   Contacts contacts = findContacts(scene);
   if (settings.sides == Sides::TwoOfSheets) {

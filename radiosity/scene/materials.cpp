@@ -68,6 +68,26 @@ class MapImages {
     return withSamplerOf(map, lowered(map, definition));
   }
 
+  /// The holes of a map_d: pixels with alpha below 0.5, or of an image without alpha, with a mean code below half of
+  /// white. Nothing without holes, or with a warning as above.
+  std::shared_ptr<const CutOut> cutOut(const MapStatement& map, const Definition& definition) {
+    const std::optional<int> number = whole(map, definition);
+    if (!number) {
+      set_.warnings.push_back("material '" + raster::excerpt(definition.statement.name) +
+                              "': without the image of its map_d it is opaque");
+      return nullptr;
+    }
+    CutOut cutOut = cutOutOf(imageAt(*number), 1, 0.5);
+    cutOut.sampler = map.sampler;
+    if (!hasAlpha(*number))
+      std::transform(imageAt(*number).pixels.begin(), imageAt(*number).pixels.end(), cutOut.isHole.begin(),
+                     [](const glm::dvec3& pixel) { return bandSum(pixel) / 3 < decodeSrgb(0.5); });
+    const bool hasHoles = std::find(cutOut.isHole.begin(), cutOut.isHole.end(), true) != cutOut.isHole.end();
+    return hasHoles ? std::make_shared<CutOut>(std::move(cutOut)) : nullptr;
+  }
+
+  bool hasAlpha(int image) const { return !imageAt(image).alpha.empty(); }
+
  private:
   /// The image as it is in its file.
   std::optional<int> whole(const MapStatement& map, const Definition& definition) {
@@ -135,7 +155,6 @@ class MapImages {
 /// The statement that lets light through a material; null if there is none. Exporters write both `d` and `Tr`, and some
 /// give `Tr` the meaning of `d`, so that `Tr` counts only without `d`.
 const char* wayThrough(const MaterialStatement& statement) {
-  if (statement.hasDissolveMap) return "map_d";
   if (statement.dissolve) return *statement.dissolve < 1 ? "d below 1" : nullptr;
   return statement.transparency.value_or(0) > 0 ? "Tr above 0" : nullptr;
 }
@@ -183,6 +202,9 @@ Material makeMaterial(Definition definition, const SceneSettings& settings, MapI
     material.reflectanceMap = images.reflectance(*statement.reflectanceMap, definition);
     if (!material.reflectanceMap) material.reflectance = glm::dvec3(grey);
   }
+  if (statement.dissolveMap) material.cutOut = images.cutOut(*statement.dissolveMap, definition);
+  if (!statement.dissolveMap && material.reflectanceMap && images.hasAlpha(*material.reflectanceMap))
+    warnings.push_back(owner + "the alpha of its map_Kd is left out; map_d with the same file makes it a cut-out");
   if (const char* way = wayThrough(statement)) warnings.push_back(owner + opaqueWarning(way));
   const bool isDark = statement.emissionMap && statement.emission == glm::dvec3(0);
   if (isDark) warnings.push_back(owner + "Ke 0 0 0 with a map_Ke; the map alone is the light, as its writers mean it");

@@ -47,6 +47,7 @@ std::optional<std::string> lowerReflectance(glm::dvec3& reflectance, double maxR
 ///   map_Kd are lowered to 1.
 /// - A missing or unreadable map: a warning, and reflectance 0.5 or half the emission.
 /// - Kd 0 0 0 with a map_Kd, and Ke 0 0 0 with a map_Ke: a warning, and the map alone, as Maya and 3ds Max mean it.
+/// - A map_d is a cut-out: pixels whose alpha is below 0.5 are holes. An image without alpha counts with its mean code.
 /// - Faces without a material have the reflectance 0.5, and 1 where the file `hasColours` of vertices.
 MaterialSet findMaterials(const std::vector<std::string>& names, const std::vector<std::filesystem::path>& files,
                           const SceneSettings& settings, bool hasColours = false);

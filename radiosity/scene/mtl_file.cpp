@@ -124,7 +124,7 @@ std::vector<MaterialStatement> parseMaterials(std::string_view text, const std::
     if (keyword == "map_ke" || keyword == "map_emissive") material.emissionMap = readMap(*line);
     if (keyword == "d") material.dissolve = tolerantNumber(*line);
     if (keyword == "tr") material.transparency = tolerantNumber(*line);
-    if (keyword == "map_d" || keyword == "map_opacity") material.hasDissolveMap = true;
+    if (keyword == "map_d" || keyword == "map_opacity") material.dissolveMap = readMap(*line);
     if (keyword == "decal") material.hasDecal = true;
   }
   return materials;

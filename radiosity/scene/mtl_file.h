@@ -18,7 +18,7 @@ namespace hemitex::radiosity {
 /// W/m^2 of radiosity. With larger values, interreflection could overflow binary32, which images use.
 inline constexpr double largestEmission = 1e30;
 
-/// A `map_Kd` or `map_Ke` line.
+/// A `map_Kd`, `map_Ke` or `map_d` line.
 struct MapStatement {
   std::string image;         ///< as the file names it (see named_file.h); empty if the line names none
   Sampler sampler = {};      ///< of `-s`, `-o` and `-clamp`
@@ -42,7 +42,7 @@ struct MaterialStatement {
   std::optional<MapStatement> reflectanceMap = {};
   std::optional<MapStatement> emissionMap = {};
   std::optional<double> dissolve = {}, transparency = {};  ///< `d` and `Tr`
-  bool hasDissolveMap = false;                             ///< `map_d`
+  std::optional<MapStatement> dissolveMap = {};            ///< `map_d`
   bool hasDecal = false;                                   ///< `decal`
 };
 

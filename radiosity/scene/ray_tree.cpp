@@ -91,7 +91,8 @@ RayTree::RayTree(const Scene& scene) : touching_(contactTolerance(scene)) {
                        bool isHidden) {
     const auto& [a, b, c] = corners;
     leaves_.push_back({a, b - a, c - a, place, static_cast<std::uint32_t>(leaves_.size()), triangle.isBacked,
-                       scene.instances[place.instance].reflects(), triangle.shell, isHidden});
+                       scene.instances[place.instance].reflects(), triangle.shell, isHidden,
+                       isHidden ? nullptr : holedTriangle(scene, place)});
   };
   forEachPlace(scene, [&](const TrianglePlace& place) {
     add(placedCorners(scene, place), place, scene.surfaces[place.surface].triangles[place.triangle], false);
@@ -194,7 +195,8 @@ void RayTree::trace(const glm::dvec3& origin, const glm::dvec3& direction, doubl
         if (!(u >= 0 && u <= 1)) return;
         const glm::dvec3 q = glm::cross(offset, leaf.along1);
         const double v = glm::dot(direction, q) / determinant, t = glm::dot(leaf.along2, q) / determinant;
-        if (v >= 0 && u + v <= 1 && t > 0 && t < last)
+        if (v >= 0 && u + v <= 1 && t > 0 && t < last &&
+            !(leaf.holed && isHole(*leaf.holed->cutOut, leaf.holed->triangle, glm::dvec2(u, v))))
           meet(TriangleHit{.surface = leaf.place.surface,
                            .triangle = leaf.place.triangle,
                            .weights = leaf.isReflected ? glm::dvec2(v, u) : glm::dvec2(u, v),

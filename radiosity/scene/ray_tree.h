@@ -1,12 +1,13 @@
 /// A bounding volume hierarchy over the triangles of a scene: the first hit of a ray, and the triangles near a box. It
 /// is used for the few rays that test visibility from a point. It computes in double precision, which resolves gaps and
-/// solids far smaller than the depths of an item buffer do.
+/// solids far smaller than the depths of an item buffer do. Rays pass through the holes of cut-outs.
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <functional>
 #include <glm/glm.hpp>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -55,7 +56,8 @@ class RayTree {
     std::uint32_t number;
     bool isBacked, isReflected;
     std::int32_t shell;
-    bool isHidden;  ///< one of Scene::covered
+    bool isHidden;                               ///< one of Scene::covered
+    std::shared_ptr<const HoledTriangle> holed;  ///< null without a cut-out
 
     /// The surface of a triangle of the first instance.
     std::uint32_t firstSurface() const { return place.instance == 0 ? place.surface : noSurface; }

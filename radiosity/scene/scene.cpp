@@ -112,6 +112,27 @@ Bands emissionInBands(const Scene& scene, const Material& material) {
   return lightInBands(scene, material.emission);
 }
 
+const CutOut* cutOutOf(const Scene& scene, const Surface& surface) {
+  return scene.materials.empty() ? nullptr : scene.materials[static_cast<std::size_t>(surface.material)].cutOut.get();
+}
+
+bool hasCutOuts(const Scene& scene) {
+  return std::any_of(scene.surfaces.begin(), scene.surfaces.end(),
+                     [&](const Surface& surface) { return cutOutOf(scene, surface) != nullptr; });
+}
+
+std::shared_ptr<const HoledTriangle> holedTriangle(const Scene& scene, const TrianglePlace& place) {
+  const Surface& surface = scene.surfaces[place.surface];
+  if (cutOutOf(scene, surface) == nullptr) return nullptr;
+  return std::make_shared<HoledTriangle>(
+      HoledTriangle{scene.materials[static_cast<std::size_t>(surface.material)].cutOut, placed(scene, place)});
+}
+
+bool isHole(const CutOut& cutOut, const Triangle& triangle, const glm::dvec2& weights) {
+  const auto& [a, b, c] = triangle.texcoord;
+  return isHoleAt(cutOut, a + weights.x * (b - a) + weights.y * (c - a));
+}
+
 double area(const Triangle& triangle) { return 0.5 * glm::length(doubledArea(triangle)); }
 
 glm::dvec3 middleOf(const Triangle& triangle) {

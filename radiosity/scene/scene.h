@@ -11,12 +11,14 @@
 #include <filesystem>
 #include <glm/glm.hpp>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "radiosity/base/bands.h"
+#include "radiosity/images/cut_out.h"
 #include "radiosity/images/image.h"
 #include "radiosity/meshes/scene_object.h"
 #include "radiosity/spectra/spectrum.h"
@@ -70,6 +72,8 @@ struct Material {
   /// In scenes with wavelengths, instead of the colours above, which only pictures show then: in [0, 1), and emitted
   /// radiosity at each wavelength, from 0 to 1e30.
   std::optional<Spectrum> reflectanceSpectrum = {}, emissionSpectrum = {};
+  std::shared_ptr<const CutOut> cutOut = {};  ///< its holes: light and views pass through
+  bool isDoubleSided = false;                 ///< whether a cut-out is lit from both sides
 };
 
 struct Triangle {
@@ -219,6 +223,20 @@ inline std::array<glm::dvec3, 3> placedCorners(const Scene& scene, const Triangl
   const auto& [a, b, c] = scene.surfaces[place.surface].triangles[place.triangle].position;
   return {instance(a), instance(instance.reflects() ? c : b), instance(instance.reflects() ? b : c)};
 }
+
+/// The cut-out of a surface; null without one.
+const CutOut* cutOutOf(const Scene& scene, const Surface& surface);
+bool hasCutOuts(const Scene& scene);
+/// Whether a place of a triangle is a hole, by the barycentric weights of the corners 1 and 2.
+bool isHole(const CutOut& cutOut, const Triangle& triangle, const glm::dvec2& weights);
+
+/// A triangle of a surface with a cut-out, for rays.
+struct HoledTriangle {
+  std::shared_ptr<const CutOut> cutOut;
+  Triangle triangle;
+};
+/// The triangle at a place; null without a cut-out. Its weights are those of the placed triangle.
+std::shared_ptr<const HoledTriangle> holedTriangle(const Scene& scene, const TrianglePlace& place);
 
 /// Calls visit(place) for all triangles in space, in the order of their numbers.
 template <typename Visit>

@@ -305,6 +305,15 @@ class Editor {
   bool hasNewPlaces_ = false;
 };
 
+/// Whether two surfaces with the same triangles have the same holes.
+bool haveSameHoles(const Scene& former, const Surface& one, const Scene& next, const Surface& other) {
+  const CutOut *const a = cutOutOf(former, one), *const b = cutOutOf(next, other);
+  if (a == nullptr || b == nullptr) return a == b;
+  const auto isSame = [](const Triangle& x, const Triangle& y) { return x.texcoord == y.texcoord; };
+  return a->width == b->width && a->isHole == b->isHole && a->sampler == b->sampler &&
+         std::equal(one.triangles.begin(), one.triangles.end(), other.triangles.begin(), isSame);
+}
+
 /// How far a surface moved between two readings; nothing if it has another shape, chart, name or twin.
 std::optional<glm::dvec3> shiftOf(const Surface& former, const Surface& next, double tolerance) {
   if (former.name != next.name || former.family != next.family || former.twin != next.twin ||
@@ -328,7 +337,7 @@ std::optional<EditedScene> readAgain(const Scene& former, Scene next) {
   std::vector<Origin> origins;
   for (std::uint32_t s = 0; s < next.surfaces.size(); ++s) {
     const std::optional<glm::dvec3> shift = shiftOf(former.surfaces[s], next.surfaces[s], tolerance);
-    if (!shift) return std::nullopt;
+    if (!shift || !haveSameHoles(former, former.surfaces[s], next, next.surfaces[s])) return std::nullopt;
     origins.push_back({s, glm::length(*shift) > tolerance});
     for (std::size_t t = 0; t < next.surfaces[s].triangles.size(); ++t) {
       std::array<glm::dvec3, 3>& corners = next.surfaces[s].triangles[t].position;

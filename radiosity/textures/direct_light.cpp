@@ -124,7 +124,7 @@ void DirectLight::addFaces() {
   std::vector<std::pair<double, std::uint32_t>> byFlux;
   for (std::uint32_t s = 0; s < scene_.surfaces.size(); ++s) {
     const Material& material = scene_.materials[static_cast<std::size_t>(scene_.surfaces[s].material)];
-    if (!material.emissionMap && !materials.isUnlit(s) && !discretization_.grids[s].isDark)
+    if (!material.emissionMap && !material.cutOut && !materials.isUnlit(s) && !discretization_.grids[s].isDark)
       byFlux.emplace_back(-area(scene_.surfaces[s]) * bandSum(emissionInBands(scene_, material)), s);
   }
   std::sort(byFlux.begin(), byFlux.end());

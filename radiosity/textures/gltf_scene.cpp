@@ -123,7 +123,10 @@ GltfModel makeGltfModel(const Scene& lit, const PictureView& view, std::vector<G
   model.toGltf = toGltf(view);
   model.origin = lit.origin;
   model.textures = std::move(textures);
-  for (const Material& material : lit.materials) model.materials.push_back({material.name, material.reflectanceMap});
+  for (const Material& material : lit.materials) {
+    model.materials.push_back({material.name, material.reflectanceMap});
+    model.materials.back().isCutOut = material.cutOut != nullptr;
+  }
   model.objects = gltfObjects(lit, {}, maxObjects);
   model.camera = gltfCamera(lit, view);
   return model;

@@ -8,6 +8,7 @@
 #include "radiosity/textures/lit_scene.h"
 #include "radiosity/textures/radiosity_texture.h"
 #include "raster/base/file_io.h"
+#include "raster/base/input_error.h"
 #include "raster/base/parallel.h"
 
 namespace hemitex::radiosity {
@@ -21,6 +22,19 @@ void raiseScale(double& scale, const glm::dvec3& exposed, const glm::dvec3& refl
 
 /// The scale where nothing is lit is 1.
 double scaleOrOne(double scale) { return scale > 0 ? scale : 1; }
+
+/// The texture of a material with its holes, from its map or white; nothing if its map has other pixels.
+std::optional<GltfTexture> cutTexture(const Scene& scene, const Material& material, const std::filesystem::path& file) {
+  const CutOut& cutOut = *material.cutOut;
+  Image image{cutOut.width, cutOut.height, std::vector<glm::dvec3>(cutOut.isHole.size(), glm::dvec3(1)),
+              cutOut.sampler};
+  if (material.reflectanceMap) image = scene.images[static_cast<std::size_t>(*material.reflectanceMap)];
+  const bool isEqual = image.width == cutOut.width && image.height == cutOut.height && image.sampler == cutOut.sampler;
+  if (!isEqual) return std::nullopt;
+  CodedImage coded = encodeSrgb(image);
+  coded.isHole = cutOut.isHole;
+  return GltfTexture{material.name, encodePng(coded, file), cutOut.sampler};
+}
 
 /// Gives the surfaces a material per material and texture; returns them as those of a glTF file. A material of several
 /// textures gets the names `MATERIAL/TEXTURE`.
@@ -38,7 +52,8 @@ std::vector<GltfMaterial> splitMaterials(Scene& scene, const TextureLayout& layo
     materials.push_back(
         {textureCounts[pair.first] > 1 ? material.name + "/" + texture : material.name, material.reflectanceMap,
          material.reflectance, material.emission, material.emissionMap,
-         GltfLightMap{"lightmaps/" + texture + ".png", "lightmaps/" + texture + ".exr", maps.scale, maps.exposure}});
+         GltfLightMap{"lightmaps/" + texture + ".png", "lightmaps/" + texture + ".exr", maps.scale, maps.exposure},
+         material.cutOut != nullptr});
   }
   for (std::size_t s = 0; s < scene.surfaces.size(); ++s)
     scene.surfaces[s].material = numbers.at({scene.surfaces[s].material, layout.places[s].texture});
@@ -80,6 +95,18 @@ std::vector<std::string> writeLightMaps(const std::filesystem::path& folder, con
                               encodePng(encodeSrgb(scene.images[i]), folder / "lightmap.glb"),
                               scene.images[i].sampler});
   addObjects(scene);
+  std::vector<std::string> warnings;
+  for (Material& material : scene.materials) {
+    if (!material.cutOut) continue;
+    if (auto texture = cutTexture(scene, material, folder / "lightmap.glb")) {
+      material.reflectanceMap = static_cast<int>(model.textures.size());
+      model.textures.push_back(std::move(*texture));
+    } else {
+      material.cutOut = nullptr;
+      warnings.push_back("lightmap.glb shows material '" + raster::excerpt(material.name) +
+                         "' without its holes, because its map_d has other pixels than its map_Kd");
+    }
+  }
   model.materials = splitMaterials(scene, layout, maps);
   model.objects = gltfObjects(scene, [&](std::uint32_t surface, const glm::dvec2& chart) {
     return textureCoordinate(discretization, layout, surface, chart);
@@ -87,7 +114,8 @@ std::vector<std::string> writeLightMaps(const std::filesystem::path& folder, con
   model.toGltf = toGltf(view);
   model.camera = gltfCamera(scene, view);
   const std::optional<std::string> warning = writeGlb(folder / "lightmap.glb", std::move(model));
-  return warning ? std::vector{*warning} : std::vector<std::string>();
+  if (warning) warnings.push_back(*warning);
+  return warnings;
 }
 
 }  // namespace hemitex::radiosity

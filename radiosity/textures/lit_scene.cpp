@@ -1,6 +1,8 @@
 #include "radiosity/textures/lit_scene.h"
 
+#include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <map>
 #include <optional>
 #include <unordered_map>
@@ -42,13 +44,48 @@ bool isGouraud(const Scene& scene, std::uint32_t surface, const std::vector<Corn
   return !corners.empty() && !hasMaps(scene, scene.surfaces[surface]) && areDifferent(corners);
 }
 
+/// Cuts the holes of a surface into its display texture, whose pixels are those at their middles.
+void cutTexture(const Grid& grid, const TexturePlace& place, int magnification, CodedImage& texture) {
+  const TexelMask& mask = *grid.mask;
+  texture.isHole.resize(texture.codes.size() / 3);
+  const auto texelOf = [&](int pixel, int first, int texels, int ofMask) {
+    const double chart = ((pixel + 0.5) / magnification - first) / texels;
+    return std::clamp(static_cast<int>(std::floor(chart * ofMask)), 0, ofMask - 1);
+  };
+  for (int y = (place.row - 1) * magnification; y < (place.row + grid.rows + 1) * magnification; ++y)
+    for (int x = (place.column - 1) * magnification; x < (place.column + grid.columns + 1) * magnification; ++x) {
+      const int column = texelOf(x, place.column, grid.columns, mask.columns),
+                row = texelOf(y, place.row, grid.rows, mask.rows);
+      texture.isHole[static_cast<std::size_t>((texture.height - 1 - y) * texture.width + x)] =
+          mask.isHole[static_cast<std::size_t>(row * mask.columns + column)];
+    }
+}
+
+/// Cuts the holes of all surfaces. Returns the cut-out of each texture; null without one.
+std::vector<std::shared_ptr<const CutOut>> cutTextures(const Discretization& discretization,
+                                                       const TextureLayout& layout, std::vector<CodedImage>& textures) {
+  for (std::size_t s = 0; s < discretization.grids.size(); ++s) {
+    const auto t = static_cast<std::size_t>(layout.places[s].texture);
+    if (discretization.grids[s].mask)
+      cutTexture(discretization.grids[s], layout.places[s], layout.textures[t].magnification, textures[t]);
+  }
+  std::vector<std::shared_ptr<const CutOut>> cutOuts;
+  for (const CodedImage& texture : textures)
+    cutOuts.push_back(texture.isHole.empty() ? nullptr
+                                             : std::make_shared<CutOut>(CutOut{texture.width, texture.height,
+                                                                               texture.isHole, texture.sampler}));
+  return cutOuts;
+}
+
 /// Gives the surfaces of a lit scene a material per name of a material and texture, in the order of the surfaces. It
 /// has this name; where that has several textures, `NAME/TEXTURE`. Materials that edits changed keep their names.
-void setMaterials(const Scene& scene, const TextureLayout& layout, Scene& lit) {
+void setMaterials(const Scene& scene, const TextureLayout& layout,
+                  const std::vector<std::shared_ptr<const CutOut>>& cutOuts, Scene& lit) {
   using NameAndTexture = std::pair<std::string, int>;
   std::map<NameAndTexture, int> numbers;
   std::map<std::string, int> texturesOfName;
   std::vector<NameAndTexture> used;
+  std::vector<bool> isCut;
   for (std::size_t s = 0; s < lit.surfaces.size(); ++s) {
     const std::string& name = scene.materials[static_cast<std::size_t>(scene.surfaces[s].material)].name;
     const NameAndTexture pair(name, layout.places[s].texture);
@@ -56,14 +93,17 @@ void setMaterials(const Scene& scene, const TextureLayout& layout, Scene& lit) {
     lit.surfaces[s].material = known->second;
     if (!isNew) continue;
     used.push_back(pair);
+    isCut.push_back(cutOutOf(scene, scene.surfaces[s]) != nullptr);
     ++texturesOfName[name];
   }
   // loadScene lowers a reflectance of 1, and the pictures of both are the same.
   const glm::dvec3 reflectance(SceneSettings{}.maxReflectance);
+  std::size_t number = 0;
   for (const auto& [name, texture] : used) {
     const std::string suffix =
         texturesOfName[name] > 1 ? "/" + layout.names[static_cast<std::size_t>(texture)] : std::string();
     lit.materials.push_back({.name = name + suffix, .reflectance = reflectance, .reflectanceMap = texture});
+    if (isCut[number++]) lit.materials.back().cutOut = cutOuts[static_cast<std::size_t>(texture)];
   }
 }
 
@@ -123,9 +163,12 @@ std::string objText(const Scene& lit) {
 std::string mtlText(const LitScene& lit) {
   std::string text = "# Radiosity textures, to be shown without lights.\n";
   const std::vector<std::string> names = materialNames(lit.scene);
-  for (std::size_t m = 0; m < names.size(); ++m)
-    text += "newmtl " + names[m] + "\nKa 0 0 0\nKd 1 1 1\nKs 0 0 0\nillum 0\nmap_Kd " +
-            lit.layout.names[static_cast<std::size_t>(*lit.scene.materials[m].reflectanceMap)] + ".png\n";
+  for (std::size_t m = 0; m < names.size(); ++m) {
+    const Material& material = lit.scene.materials[m];
+    const std::string image = lit.layout.names[static_cast<std::size_t>(*material.reflectanceMap)] + ".png\n";
+    text += "newmtl " + names[m] + "\nKa 0 0 0\nKd 1 1 1\nKs 0 0 0\nillum 0\nmap_Kd " + image;
+    if (material.cutOut) text += "map_d " + image;
+  }
   return text;
 }
 
@@ -194,7 +237,7 @@ LitScene makeLitScene(const Scene& scene, const Discretization& discretization, 
   lit.scene.surfaces = scene.surfaces;
   lit.scene.objects = scene.objects;
   addObjects(lit.scene);
-  setMaterials(scene, layout, lit.scene);
+  setMaterials(scene, layout, cutTextures(discretization, layout, lit.textures), lit.scene);
   for (Surface& surface : lit.scene.surfaces) surface.hasColours = false;  // the textures show them
   for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s)
     for (Triangle& triangle : lit.scene.surfaces[s].triangles)

@@ -57,10 +57,10 @@ Image unlitPicture(const LitScene& lit, const Camera& camera, int width, int hei
                    const glm::dvec3& background = glm::dvec3(0.0));
 
 /// Writes into `folder`, which exists: scene.obj, scene.mtl, scene.glb and per texture NAME.png, the display texture,
-/// and NAME.exr, the `linear` one in W/m^2 (see radiosityTextures). Triangles are grouped by object and surface, in the
-/// order and winding of the scene. Each object of the scene is one of scene.obj, where names have no blanks. For
-/// scene.glb see makeGltfModel; a scene that is too large for that format is written without it. Returns warnings for
-/// the user. Throws InputError where a file cannot be written.
+/// with alpha where surfaces have holes, and NAME.exr, the `linear` one in W/m^2 (see radiosityTextures). Triangles are
+/// grouped by object and surface, in the order and winding of the scene. Each object of the scene is one of scene.obj,
+/// where names have no blanks. For scene.glb see makeGltfModel; a scene that is too large for that format is written
+/// without it. Returns warnings for the user. Throws InputError where a file cannot be written.
 std::vector<std::string> writeLitScene(const std::filesystem::path& folder, const LitScene& lit,
                                        const PictureView& view, const std::vector<Image>& linear);
 

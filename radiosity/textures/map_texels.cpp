@@ -33,7 +33,8 @@ glm::dvec2 lengthsIn(const Sampler& sampler, const Surface& surface) {
   return total > 0 ? sum / total : sum;
 }
 
-glm::dvec2 pixelsOf(const Surface& surface, const Image& image) {
+template <typename AnyImage>
+glm::dvec2 pixelsOf(const Surface& surface, const AnyImage& image) {
   return lengthsIn(image.sampler, surface) * static_cast<double>(std::max(image.width, image.height));
 }
 
@@ -141,6 +142,7 @@ glm::dvec2 mapPixels(const Scene& scene, const Surface& surface) {
   glm::dvec2 pixels(0);
   for (const std::optional<int>& map : {material.reflectanceMap, material.emissionMap})
     if (map) pixels = glm::max(pixels, pixelsOf(surface, scene.images[static_cast<std::size_t>(*map)]));
+  if (material.cutOut) pixels = glm::max(pixels, pixelsOf(surface, *material.cutOut));
   return pixels;
 }
 

@@ -13,8 +13,8 @@
 
 namespace hemitex::radiosity {
 
-/// The number of pixels of the maps of a surface along u and v of its chart, the larger one if it has two maps; 0
-/// without maps. Repeated pixels count as often as the surface shows them.
+/// The number of pixels of the maps and the cut-out of a surface along u and v of its chart, the largest one if it has
+/// several; 0 without maps. Repeated pixels count as often as the surface shows them.
 glm::dvec2 mapPixels(const Scene& scene, const Surface& surface);
 
 /// An image, and the same image halved, halved again, ... down to one pixel (Williams 1983).

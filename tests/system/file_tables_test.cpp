@@ -373,6 +373,9 @@ Rows mtlRows() {
   std::string& text = clamped.files[0].second;
   for (const auto& [from, to] : {std::pair("vt 1 0\n", "vt 4 0\n"), std::pair("vt 1 1\n", "vt 4 1\n")})
     text.replace(text.find(from), 7, to);
+  Files withAlpha = withMtl("map_Kd t.png\n", lit(ofMean(0), {"the alpha of its map_Kd is left out"}));
+  const std::vector<unsigned char> clear = encodePng({1, 1, {0, 0, 0}, {}, {true}}, "t.png");
+  withAlpha.files.emplace_back("t.png", std::string(clear.begin(), clear.end()));
   Files absolute = mapped("map_Kd \"C:\\images\\T.png\"\n", lit(ofMean(quarter)));
   return {
       {"`newmtl`", {withMtl("KD .5 .5 .5\n", lit(2))}},
@@ -398,9 +401,13 @@ Rows mtlRows() {
         mapped("map_Kd -colorspace linear t.png\n", lit(ofMean(quarter), {"-colorspace"}))}},
       {"`-blendu`, `-blendv`, `-boost`, `-texres`, `-bm`",
        {mapped("map_Kd -blendu on -blendv off -boost 2 -texres 4 -bm 1 t.png\n", lit(ofMean(quarter)))}},
-      {"`d`, `Tr`, `map_d`",
-       {withMtl("Kd .5 .5 .5\nd .5\n", lit(2, {"d below 1"})), withMtl("Kd .5 .5 .5\nTr .5\n", lit(2, {"Tr above 0"})),
-        withMtl("Kd .5 .5 .5\nmap_d t.png\n", lit(2, {"map_d"}))}},
+      {"`d`, `Tr`",
+       {withMtl("Kd .5 .5 .5\nd .5\n", lit(2, {"d below 1"})),
+        withMtl("Kd .5 .5 .5\nTr .5\n", lit(2, {"Tr above 0"}))}},
+      {"`map_d`",
+       {mapped("Kd .5 .5 .5\nmap_d -s 0 1 -o .75 0 t.png\n", lit(2)),
+        withMtl("Kd .5 .5 .5\nmap_d t.png\n", lit(2, {"t.png", "without the image of its map_d it is opaque"}))}},
+      {"alpha of `map_Kd`", {withAlpha}},
       {"`decal`", {withMtl("Kd .5 .5 .5\ndecal t.png\n", lit(2, {"decal is left out"}))}},
       {"`Ka`, `Ks`, `Ns`, `Ni`, `Tf`, `illum`, `refl`, `bump`, `disp` and their maps",
        {withMtl("Kd .5 .5 .5\nKa 1 1 1\nKs 1 1 1\nNs 9\nNi 1.5\nillum 4\nbump t.png\nmap_Ks t.png\n", lit(2))}},
@@ -607,7 +614,15 @@ Rows gltfRows() {
             },
             lit(0, {"emissiveFactor 0"}), {{"t.png", halfBlack()}})}},
       {"`wrapS`, `wrapT`", {wrapped(10497, quarter), wrapped(33648, quarter), wrapped(33071, 0.875 * half.x)}},
-      {"`alphaMode`", {gltf([](Gltf& cube) { cube.material()["alphaMode"] = "BLEND"; }, lit(2, {"BLEND"}))}},
+      {"`alphaMode`: `BLEND`", {gltf([](Gltf& cube) { cube.material()["alphaMode"] = "BLEND"; }, lit(2, {"BLEND"}))}},
+      {"`alphaMode`: `MASK`, `alphaCutoff`",
+       {gltf(
+           [](Gltf& cube) {
+             cube.material()["alphaMode"] = "MASK";
+             cube.material()["alphaCutoff"] = 0.25;
+             cube.colour()["baseColorFactor"][3] = 0.3;
+           },
+           lit(2))}},
       {"`metallicFactor`, `normalTexture`, `occlusionTexture`, `doubleSided`",
        {gltf(
            [](Gltf& cube) {

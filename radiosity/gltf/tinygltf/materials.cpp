@@ -93,7 +93,7 @@ tinygltf::PbrMetallicRoughness diffuseOf(const tinygltf::Value& extension) {
 std::string transparencyOf(const tinygltf::Material& material) {
   if (numberOf(material.extensions, "KHR_materials_transmission", "transmissionFactor", 0) > 0)
     return "KHR_materials_transmission";
-  return material.alphaMode == "BLEND" || material.alphaMode == "MASK" ? "alphaMode " + material.alphaMode : "";
+  return material.alphaMode == "BLEND" ? "alphaMode BLEND" : "";
 }
 
 /// `images` has the number in the import of each image of the file.
@@ -112,6 +112,9 @@ std::vector<ImportedMaterial> materialsOf(const tinygltf::Model& gltf, const std
                      light = useOf(gltf, images, given.emissiveTexture);
     if (glossy ? !pbr.baseColorFactor.empty() : given.values.count("baseColorFactor") > 0)
       material.baseColor = factorOf(pbr.baseColorFactor, glm::dvec3(1.0), owner);
+    if (pbr.baseColorFactor.size() > 3) material.alpha = pbr.baseColorFactor[3];
+    if (given.alphaMode == "MASK") material.cutoff = given.alphaCutoff;
+    material.isDoubleSided = given.doubleSided;
     material.baseColorImage = colour.image;
     material.baseColorSampler = colour.sampler;
     material.emissionImage = light.image;

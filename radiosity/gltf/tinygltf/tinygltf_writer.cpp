@@ -153,6 +153,7 @@ tinygltf::Material materialOf(const GltfMaterial& material, const std::vector<Gl
   written.name = validUtf8(material.name);
   written.pbrMetallicRoughness.metallicFactor = 0;  // also for viewers that do not know unlit materials
   written.pbrMetallicRoughness.baseColorTexture = useOf(material.texture, textures);
+  if (material.isCutOut) written.alphaMode = "MASK";
   if (!material.lightMap) {
     written.extensions["KHR_materials_unlit"] = tinygltf::Value(tinygltf::Value::Object());
     return written;

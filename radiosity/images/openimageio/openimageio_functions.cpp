@@ -92,7 +92,7 @@ bool holdsItsAttributes(const std::string& exr) {
   return false;
 }
 
-/// Alpha is dropped, so colours must not be multiplied by it.
+/// Alpha is apart from colours, which must not be multiplied by it.
 OIIO::ImageSpec unassociatedAlpha() {
   OIIO::ImageSpec config;
   config.attribute("oiio:UnassociatedAlpha", 1);
@@ -131,7 +131,8 @@ ImageProblem readPixels(OIIO::ImageInput* input, std::uint64_t maxPixels, const 
   const OIIO::ImageSpec& spec = input->spec();
   if (spec.width <= 0 || spec.height <= 0 || spec.nchannels <= 0) return {"cannot be read: it has no pixels", ""};
   if (spec.image_pixels() > maxPixels) return {"has too many pixels", "scale it down to at most 16384 x 16384"};
-  ImageSamples rows{spec.width, 0, spec.nchannels < 3 ? 1 : 3};
+  const int colours = spec.nchannels < 3 ? 1 : 3;
+  ImageSamples rows{spec.width, 0, colours + (spec.alpha_channel == colours ? 1 : 0)};
   const int step = rowsAtOnce(spec, rows.channels);
   if (static_cast<std::uint64_t>(step) * spec.scanline_bytes(true) > maxBytesAtOnce)
     return {"has tiles or rows of more than 256 MiB", "save it with smaller tiles"};
@@ -189,6 +190,7 @@ ImageProblem encode(const std::string& format, const std::string& colourSpace, c
   OIIO::ImageSpec spec(samples.width, samples.height, samples.channels,
                        holdsCodes ? OIIO::TypeDesc::UINT8 : OIIO::TypeDesc::FLOAT);
   if (!samples.channelNames.empty()) spec.channelnames = samples.channelNames;
+  if (samples.channels == 4) spec.attribute("oiio:UnassociatedAlpha", 1);
   spec.attribute("oiio:ColorSpace", colourSpace);
   // Without a date of its own a file takes the time of writing, and equal pixels would not give equal files.
   spec.attribute("DateTime", "2000:01:01 00:00:00");

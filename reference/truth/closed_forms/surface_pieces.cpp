@@ -67,7 +67,8 @@ std::vector<SceneTriangle> sceneTriangles(const radiosity::Scene& scene) {
   radiosity::forEachPlace(scene, [&](const radiosity::TrianglePlace& place) {
     const radiosity::Surface& surface = scene.surfaces[place.surface];
     const radiosity::Triangle& triangle = surface.triangles[place.triangle];
-    triangles.push_back({place, &triangle, &scene.instances[place.instance], triangle.isBacked});
+    triangles.push_back({place, &triangle, &scene.instances[place.instance], triangle.isBacked,
+                         radiosity::holedTriangle(scene, place)});
   });
   return triangles;
 }

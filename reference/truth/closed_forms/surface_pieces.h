@@ -23,7 +23,8 @@ struct SceneTriangle {
   radiosity::TrianglePlace place;
   const radiosity::Triangle* triangle;  ///< of the surface
   const radiosity::Instance* instance;
-  bool isBacked;  ///< rays pass through its back
+  bool isBacked;                                          ///< rays pass through its back
+  std::shared_ptr<const radiosity::HoledTriangle> holed;  ///< rays pass through its holes; null without
 };
 /// All triangles in space, in the order of their numbers. The scene must outlive them.
 std::vector<SceneTriangle> sceneTriangles(const radiosity::Scene& scene);

@@ -109,11 +109,16 @@ bool meetsFront(const RTCRayHit16& packet, std::size_t i) {
 }
 
 /// The filter callback of Embree, which accepts or rejects hits.
-void passBacksOfTwins(const RTCFilterFunctionNArguments* arguments) {
+void passBacksAndHoles(const RTCFilterFunctionNArguments* arguments) {
   const auto* triangles = static_cast<const SceneTriangle*>(arguments->geometryUserPtr);
   const unsigned count = arguments->N;
   for (unsigned i = 0; i < count; ++i) {
-    if (arguments->valid[i] == 0 || !triangles[RTCHitN_primID(arguments->hit, count, i)].isBacked) continue;
+    const SceneTriangle& triangle = triangles[RTCHitN_primID(arguments->hit, count, i)];
+    const glm::dvec2 weights(RTCHitN_u(arguments->hit, count, i), RTCHitN_v(arguments->hit, count, i));
+    const bool isPassed =
+        triangle.holed && radiosity::isHole(*triangle.holed->cutOut, triangle.holed->triangle, weights);
+    if (arguments->valid[i] != 0 && isPassed) arguments->valid[i] = 0;
+    if (arguments->valid[i] == 0 || !triangle.isBacked) continue;
     const float along = RTCRayN_dir_x(arguments->ray, count, i) * RTCHitN_Ng_x(arguments->hit, count, i) +
                         RTCRayN_dir_y(arguments->ray, count, i) * RTCHitN_Ng_y(arguments->hit, count, i) +
                         RTCRayN_dir_z(arguments->ray, count, i) * RTCHitN_Ng_z(arguments->hit, count, i);
@@ -135,8 +140,9 @@ EmbreeScene treeOver(const radiosity::Scene& scene, std::vector<SceneTriangle>& 
     }
     for (std::uint32_t i = 0; i < 3 * triangles.size(); ++i) index[i] = i;
     rtcSetGeometryUserData(geometry, triangles.data());
-    if (std::any_of(triangles.begin(), triangles.end(), [](const SceneTriangle& triangle) { return triangle.isBacked; }))
-      rtcSetGeometryIntersectFilterFunction(geometry, passBacksOfTwins);
+    if (std::any_of(triangles.begin(), triangles.end(),
+                    [](const SceneTriangle& triangle) { return triangle.isBacked || triangle.holed; }))
+      rtcSetGeometryIntersectFilterFunction(geometry, passBacksAndHoles);
     return geometry;
   });
 }

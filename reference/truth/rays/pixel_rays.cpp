@@ -4,6 +4,7 @@
 #include <array>
 #include <limits>
 
+#include "raster/base/input_error.h"
 #include "raster/base/parallel.h"
 #include "reference/truth/rays/embree_scene.h"
 
@@ -16,6 +17,8 @@ constexpr std::size_t packetSize = side * side;
 constexpr int rowsAtOnce = 4;
 
 EmbreeScene treeOver(const raster::DrawList& list) {
+  if (std::any_of(list.indexMaps.begin(), list.indexMaps.end(), raster::hasHoles))
+    throw raster::InputError("rays through pixels see no holes of index maps", "make the materials opaque");
   const auto make = [&list](RTCDevice device) {
     RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
     auto* const positions = static_cast<glm::vec3*>(rtcSetNewGeometryBuffer(

@@ -21,7 +21,8 @@ inline constexpr raster::ItemId noTriangle = 0xffffffff;
 
 class PixelRays {
  public:
-  /// Builds the tree over the triangles of a list. Throws std::runtime_error if Embree fails.
+  /// Builds the tree over the triangles of a list. Throws InputError for index maps with holes, and std::runtime_error
+  /// if Embree fails.
   explicit PixelRays(const raster::DrawList& list);
 
   /// For each pixel of the faces' scissor rectangles, the triangle that its sample shows, numbered as in the list, or

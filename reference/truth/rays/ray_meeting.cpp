@@ -34,10 +34,12 @@ std::optional<Meeting> meet(const Ray& ray, const Target& target, std::uint32_t 
   const bool front = sum < 0;
   const bool inside = front ? std::max({atA, atB, atC}) <= 0 : std::min({atA, atB, atC}) >= 0;
   if (sum == 0 || !inside || (!front && target.isBacked)) return std::nullopt;
+  const glm::dvec2 weights = glm::dvec2(atB, atC) / sum;
+  if (target.holed && radiosity::isHole(*target.holed->cutOut, target.holed->triangle, weights)) return std::nullopt;
   const glm::dvec3 normal = glm::cross(b - a, c - a);
   const double distance = std::nearbyint(glm::dot(a, normal) / glm::dot(ray.direction, normal) / rayEpsilon);
   if (!(distance > 0 && std::isfinite(distance))) return std::nullopt;
-  return Meeting{{number, glm::dvec2(atB, atC) / sum, front}, distance};
+  return Meeting{{number, weights, front}, distance};
 }
 
 }  // namespace
@@ -45,7 +47,7 @@ std::optional<Meeting> meet(const Ray& ray, const Target& target, std::uint32_t 
 std::vector<Target> targetsOf(const radiosity::Scene& scene) {
   std::vector<Target> targets;
   for (const SceneTriangle& triangle : sceneTriangles(scene))
-    targets.push_back({inFrame(scene, radiosity::placed(scene, triangle.place)), triangle.isBacked});
+    targets.push_back({inFrame(scene, radiosity::placed(scene, triangle.place)), triangle.isBacked, triangle.holed});
   return targets;
 }
 

@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -39,8 +40,9 @@ struct RayHit {
 
 /// A triangle that rays may meet.
 struct Target {
-  std::array<glm::dvec3, 3> corner;  ///< in the frame of the scene
-  bool isBacked = false;              ///< rays pass through its back
+  std::array<glm::dvec3, 3> corner;                            ///< in the frame of the scene
+  bool isBacked = false;                                       ///< rays pass through its back
+  std::shared_ptr<const radiosity::HoledTriangle> holed = {};  ///< rays pass through its holes; null without
 };
 
 /// The triangles in space, in the order of their numbers.

@@ -107,7 +107,7 @@ TEST_CASE("parseMaterials reads what lets light through", "[material]") {
   CHECK(read[0].dissolve == 0.3);
   CHECK((read[1].dissolve == 1.0 && read[1].transparency == 0.0));
   CHECK((!read[2].dissolve && read[2].transparency == 0.5));
-  CHECK((read[3].hasDissolveMap && !read[3].dissolve));
+  CHECK((read[3].dissolveMap->image == "leaf.png" && !read[3].dissolve));
 }
 
 TEST_CASE("parseMaterials reads spectra with factors; the last Kd or Ke of a material counts", "[material]") {
