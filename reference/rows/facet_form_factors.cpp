@@ -123,9 +123,10 @@ struct WeightedView {
 /// What one thread needs to compute rows.
 class FacetFormFactors::Worker {
  public:
-  Worker(const radiosity::Scene& scene, const radiosity::Discretization& images, const radiosity::IdLayout& layout,
-         const FacetRowSettings& settings)
+  Worker(const radiosity::Scene& scene, const std::vector<ConvexPolygons>& polygons,
+         const radiosity::Discretization& images, const radiosity::IdLayout& layout, const FacetRowSettings& settings)
       : scene_(scene),
+        polygons_(polygons),
         settings_(settings),
         renderer_(radiosity::softwareRenderer(drawsOfFacets(scene, layout))),
         rows_(scene, images, layout, *renderer_, {.resolution = resolutionFor(settings.maxError)}),
@@ -179,6 +180,12 @@ class FacetFormFactors::Worker {
     weights_[set] += weight;
   }
 
+  /// The polygons of a facet at an instance.
+  ConvexPolygons polygonsOf(std::uint32_t number) const {
+    const std::size_t facets = scene_.surfaces.size();
+    return placed(scene_, polygons_[number % facets], scene_.instances[number / facets]);
+  }
+
   /// A facet at an instance.
   radiosity::Surface imageOf(std::uint32_t number) const {
     const std::size_t facets = scene_.surfaces.size();
@@ -223,7 +230,7 @@ class FacetFormFactors::Worker {
       const double seen = sums.seen[0] + sums.seen[1], covered = sums.covered[0] + sums.covered[1];
       double factor = seen / weight, error = errorOf(sums.seen), least = std::sqrt(factor * poleShare_ / count);
       if (covered > fewestPixels * poleShare_ * weight / count) {
-        if (sums.unblocked < 0) sums.unblocked = quickFormFactor(scene_.surfaces[facet], imageOf(f));
+        if (sums.unblocked < 0) sums.unblocked = quickFormFactor(polygons_[facet], polygonsOf(f));
         const double hidden = std::max(covered - seen, 0.0);
         if (hidden <= hiddenAtMost * covered && hidden <= hiddenPixelsAtMost * poleShare_ * weight) {
           factor = sums.unblocked;
@@ -266,6 +273,7 @@ class FacetFormFactors::Worker {
   }
 
   const radiosity::Scene& scene_;
+  const std::vector<ConvexPolygons>& polygons_;  ///< of each facet
   FacetRowSettings settings_;
   std::unique_ptr<raster::ItemBufferRenderer> renderer_;
   radiosity::ProjectedFormFactors rows_;
@@ -278,7 +286,7 @@ class FacetFormFactors::Worker {
 };
 
 FacetFormFactors::FacetFormFactors(const radiosity::Scene& scene, const FacetRowSettings& settings)
-    : scene_(scene), settings_(settings) {
+    : scene_(scene), settings_(settings), polygons_(convexPolygons(scene)) {
   images_.elements.resize(scene.instances.size() * scene.surfaces.size());
   layout_.format = *raster::formatNamed("r32ui");
   layout_.indexMaps = radiosity::IndexMaps::Unique;
@@ -295,7 +303,7 @@ SparseRow FacetFormFactors::row(std::uint32_t facet) {
       idle_.pop_back();
     }
   }
-  if (!worker) worker = std::make_unique<Worker>(scene_, images_, layout_, settings_);
+  if (!worker) worker = std::make_unique<Worker>(scene_, polygons_, images_, layout_, settings_);
   SparseRow row = worker->row(facet);
   const std::lock_guard guard(mutex_);
   idle_.push_back(std::move(worker));

@@ -26,6 +26,7 @@
 #include "radiosity/index_maps/id_layout.h"
 #include "radiosity/scene/scene.h"
 #include "reference/matrices/sparse_row.h"
+#include "reference/truth/closed_forms/merged_pieces.h"
 
 namespace hemitex::reference {
 
@@ -49,6 +50,7 @@ class FacetFormFactors {
   class Worker;
   const radiosity::Scene& scene_;
   FacetRowSettings settings_;
+  std::vector<ConvexPolygons> polygons_;  ///< of each facet
   radiosity::Discretization images_;  ///< elements are the facets at all instances, numbered instance by instance
   radiosity::IdLayout layout_;        ///< item IDs are the numbers of these elements
   std::mutex mutex_;
