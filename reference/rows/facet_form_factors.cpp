@@ -6,11 +6,13 @@
 #include <map>
 #include <numbers>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 #include "radiosity/form_factors/scene_form_factors.h"
 #include "radiosity/index_maps/scene_draw_list.h"
 #include "radiosity/projection/covered_share.h"
+#include "reference/matrices/sparse_matrix.h"
 #include "reference/truth/closed_forms/quick_form_factor.h"
 
 namespace hemitex::reference {
@@ -25,18 +27,22 @@ constexpr double hiddenAtMost = 0.005, hiddenPixelsAtMost = 1;
 /// A facet whose covered pixels have less light than this number of pixels at the pole has an uncertain visible part.
 constexpr double fewestPixels = 4;
 
-/// The estimated error, per standard error of the mean over the sets of points. Four sets know the latter roughly.
+/// The estimated error, per standard error of the mean over the sets of points. Eight sets know the latter roughly.
 constexpr double errorPerDeviation = 3;
 
 /// The relative error of the closed form (quick_form_factor.h).
 constexpr double closedFormError = 1e-4;
 
+/// In scenes of more facets, most of which are not in front of each other, proofs for whole rows would take longer than
+/// drawing.
+constexpr std::size_t mostProven = 2048;
+
 /// Of points, each alike but random, so that their differences tell the error.
-constexpr std::size_t setCount = 4;
+constexpr std::size_t setCount = 8;
 using PerSet = std::array<double, setCount>;
 
 /// Points of each set and triangle, until the error is small enough.
-constexpr std::array pointCounts{1, 2, 4, 8, 16, 32, 64, 100};
+constexpr std::array pointCounts{1, 2, 4, 8, 16, 32, 50};
 
 int resolutionFor(double maxError) { return maxError >= 0.005 ? 64 : 128; }
 
@@ -156,6 +162,17 @@ struct WeightedView {
   std::size_t set;
 };
 
+/// A share of a row while it is estimated.
+struct Share {
+  std::uint32_t column = 0;
+  double value = 0, most = 1;  ///< that it may have
+  double error = 0;            ///< by the differences of sets
+  double least = 0;            ///< error
+  double unseen = 0;           ///< light that no point sees arrive, of which it may have all
+
+  double deviation() const { return std::max(error, least); }
+};
+
 }  // namespace
 
 /// What one thread needs to compute rows.
@@ -172,6 +189,9 @@ class FacetFormFactors::Worker {
         poleShare_(poleShare(resolutionFor(settings.maxError))) {}
 
   SparseRow row(std::uint32_t facet) {
+    const auto facets = static_cast<std::uint32_t>(scene_.surfaces.size());
+    const auto images = static_cast<std::uint32_t>(sums_.size());
+    if (const std::optional<SparseRow> proven = provenRow(facet)) return folded(*proven, facets, images);
     views_.clear();
     background_ = backs_ = {};
     weight_ = 0;
@@ -185,10 +205,31 @@ class FacetFormFactors::Worker {
     }
     for (const std::uint32_t f : touched_) sums_[f] = {};
     touched_.clear();
-    return folded(row, static_cast<std::uint32_t>(scene_.surfaces.size()), static_cast<std::uint32_t>(sums_.size()));
+    return folded(row, facets, images);
   }
 
  private:
+  /// The row of a facet that sees all of each facet in front of it, and no back; else nothing.
+  std::optional<SparseRow> provenRow(std::uint32_t facet) const {
+    if (sums_.size() > mostProven) return std::nullopt;
+    std::vector<Share> shares;
+    double sum = 0;
+    for (std::uint32_t number = 0; number < sums_.size(); ++number) {
+      if (shafts_.maySeeBack(facet, number)) return std::nullopt;
+      const double unblocked = quickFormFactor(shafts_.polygonsOf(facet), shafts_.polygonsOf(number));
+      if (unblocked == 0) continue;
+      if (!shafts_.isFree(facet, number)) return std::nullopt;
+      shares.push_back({.column = number, .value = unblocked, .most = unblocked});
+      shares.back().error = closedFormError * unblocked;
+      sum += unblocked;
+    }
+    const auto outside = static_cast<std::uint32_t>(sums_.size());
+    shares.push_back({.column = outside, .value = std::max(1 - sum, 0.0)});
+    shares.back().error = closedFormError * sum;
+    shares.push_back({.column = outside + 1});
+    return rowOf(shares);
+  }
+
   /// Adds the next point of each set and triangle.
   void addViews(std::uint32_t facet, int point) {
     const radiosity::Surface& surface = scene_.surfaces[facet];
@@ -248,16 +289,6 @@ class FacetFormFactors::Worker {
     }
   }
 
-  /// A share of a row while it is estimated.
-  struct Share {
-    std::uint32_t column = 0;
-    double value = 0, most = 1;  ///< that it may have
-    double error = 0;            ///< by the differences of sets
-    double least = 0;            ///< error
-
-    double deviation() const { return std::max(error, least); }
-  };
-
   Share shareOfFacet(std::uint32_t number) const {
     const FacetSums& sums = sums_[number];
     Share share{.column = number, .value = sums.unblocked, .most = sums.unblocked};
@@ -288,7 +319,8 @@ class FacetFormFactors::Worker {
     return {.column = static_cast<std::uint32_t>(column),
             .value = value,
             .error = errorPerDeviation * deviationOf(sums) / weight_,
-            .least = std::sqrt((value + poleShare_ / count) * poleShare_ / count)};
+            .least = std::sqrt((value + poleShare_ / count) * poleShare_ / count) +
+                     0.06 * std::sqrt(value * std::max(1 - value, 0.0) / (count * std::sqrt(count)))};
   }
 
   /// The shares of facets that no point sees but some may see, if the others leave light for them.
@@ -305,7 +337,10 @@ class FacetFormFactors::Worker {
       if (!isFree) sum += unblocked;
     }
     for (auto share = shares.begin() + static_cast<std::ptrdiff_t>(seen); share != shares.end(); ++share)
-      if (share->value == 0) share->error = std::min(share->most, left * share->most / sum);
+      if (share->value == 0) {
+        share->error = std::min(share->most, left * share->most / sum);
+        share->unseen = left;
+      }
   }
 
   SparseRow rowOf(std::uint32_t facet) const {
@@ -321,31 +356,42 @@ class FacetFormFactors::Worker {
     add(shareOutside(sums_.size() + 1, backs_));
     if (1 - sum > std::max(0.05 * settings_.maxError, 2 * std::sqrt(variance))) addUnseen(facet, 1 - sum, shares);
     std::sort(shares.begin(), shares.end(), [](const Share& a, const Share& b) { return a.column < b.column; });
+    return rowOf(shares);
+  }
+
+  SparseRow rowOf(std::vector<Share>& shares) const {
     close(shares);
     SparseRow row;
-    double errors = 0, squares = 0;
+    double errors = 0, squares = 0, unseen = 0;
     for (const Share& share : shares) {
       errors += share.error;
+      unseen = std::max(unseen, share.unseen);
       squares += share.error * share.error + square(errorPerDeviation * share.least);
       if (share.value <= 0 && share.column < sums_.size()) continue;
       row.column.push_back(share.column);
       row.value.push_back(share.value);
-      row.error.push_back(static_cast<double>(static_cast<float>(share.deviation())));
+      row.error.push_back(
+          asStored(std::max({share.error, errorPerDeviation * share.least, std::min(share.most, share.unseen)})));
     }
+    // Points seldom see how little light is divided that facets leave of which all is known.
+    double left = 1;
+    for (const std::uint32_t number : touched_)
+      if (sums_[number].isFree) left -= sums_[number].unblocked;
+    const double little = left <= settings_.maxError ? 1.5 * std::max(left, 0.0) : 0;
     // Of many errors few are as large as their estimates.
-    row.rowError = errors / 2 + std::sqrt(squares);
+    row.rowError = std::max(errors / 2 + std::sqrt(squares) + 2 * unseen, little);
     return row;
   }
 
   /// Changes the shares so that all sum to 1: each in proportion to the square of its error, between 0 and the most
-  /// that it may be. What is left then goes outside, or all change by one factor. With the sum, errors are smaller,
-  /// unless the change is larger than they are.
+  /// that it may be. What is left then goes outside, or all change by one factor. No error is
+  /// below the change. The sum tells surroundings and backs better than pixels where other errors are small.
   static void close(std::vector<Share>& shares) {
     std::vector<double> before;
-    double variance = 0;
+    double deviations = 0;
     for (const Share& share : shares) {
       before.push_back(share.value);
-      variance += share.deviation() * share.deviation();
+      deviations += share.deviation();
     }
     for (int round = 0; round < 20; ++round) {
       double missing = 1, free = 0;
@@ -367,10 +413,11 @@ class FacetFormFactors::Worker {
       for (Share& share : shares) share.value /= sum;
     for (std::size_t k = 0; k < shares.size(); ++k) {
       Share& share = shares[k];
-      const double own = share.deviation() * share.deviation();
-      const double smaller = variance > 0 ? std::sqrt(std::max(1 - own / variance, 0.0)) : 0;
-      const double change = std::abs(share.value - before[k]);
-      share.error = change > share.deviation() ? change : share.error * smaller;
+      const double own = share.deviation(), others = deviations - own, change = std::abs(share.value - before[k]);
+      if (change > own) share.error = change;
+      if (change > own || own == 0 || k + 2 < shares.size()) continue;
+      const double smaller = others / std::sqrt(square(others) + square(own));
+      share.error *= smaller;
       share.least *= smaller;
     }
   }

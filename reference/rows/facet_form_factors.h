@@ -12,7 +12,7 @@
 /// sums have the same points and pixels, so that most errors of the hemicubes cancel. A facet that covers very few
 /// pixels keeps the light through its pixels, at most U.
 ///
-/// The points are four random sets, whose differences give the standard errors of all shares. Each facet has points of
+/// The points are eight random sets, whose differences give the standard errors of all shares. Each facet has points of
 /// its own, so that no edge lies between the points of all. There are more of them until the estimated error of the row
 /// is small enough: three times the standard errors, and what chance may hide from the sets. At the end the shares are
 /// changed by their errors so that they sum to 1. No form factor is above U.

@@ -127,13 +127,26 @@ bool FreeShafts::isFree(std::uint32_t from, std::uint32_t to) const {
   return true;
 }
 
+bool FreeShafts::maySeeBack(std::uint32_t from, std::uint32_t to) const {
+  const auto reaches = [](Corners corners, const glm::dvec3& point, const glm::dvec3& normal) {
+    return std::any_of(corners.begin(), corners.end(),
+                       [&](const glm::dvec3& corner) { return glm::dot(normal, corner - point) > slack; });
+  };
+  for (std::uint32_t a = first_[from]; a < first_[from + std::size_t{1}]; ++a)
+    for (std::uint32_t b = first_[to]; b < first_[to + std::size_t{1}]; ++b)
+      if (reaches(parts_[b].corners, parts_[a].corners[0], parts_[a].normal) &&
+          reaches(parts_[a].corners, parts_[b].corners[0], -parts_[b].normal))
+        return true;
+  return false;
+}
+
 bool FreeShafts::isFree(const Part& from, const Part& to) const {
   const radiosity::ConvexPart a = radiosity::inFrontOf(from.corners, to.corners[0], to.normal),
                               b = radiosity::inFrontOf(to.corners, from.corners[0], from.normal);
   if (a.count < 3 || b.count < 3) return true;
   const Shaft shaft{a.span(), b.span(), from.normal, to.normal};
   const SpaceBox boxA = boxOf(shaft.from), boxB = boxOf(shaft.to);
-  const SpaceBox box{glm::min(boxA.low, boxB.low) + slack, glm::max(boxA.high, boxB.high) - slack};
+  const SpaceBox box{glm::min(boxA.low, boxB.low) - slack, glm::max(boxA.high, boxB.high) + slack};
   const auto meets = [&](const SpaceBox& other) {
     return glm::all(glm::lessThanEqual(other.low, box.high)) && glm::all(glm::lessThanEqual(box.low, other.high));
   };

@@ -24,6 +24,8 @@ class FreeShafts {
   const ConvexPolygons& polygonsOf(std::uint32_t facet) const { return facets_[facet]; }
   /// Whether the shafts of two facets are certainly free. If not, something may be hidden, or not.
   bool isFree(std::uint32_t from, std::uint32_t to) const;
+  /// Whether a part of the back of `to` is in front of `from`, hidden or not.
+  bool maySeeBack(std::uint32_t from, std::uint32_t to) const;
 
  private:
   struct Part {

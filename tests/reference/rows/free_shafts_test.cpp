@@ -56,3 +56,12 @@ TEST_CASE("FreeShafts between oblique facets are free beside the line of sight",
   CHECK(shaftsOf({from, to, square(0, 8.5, true)}).isFree(0, 1));
   CHECK_FALSE(shaftsOf({from, to, square(4.5, 4.5, true)}).isFree(0, 1));
 }
+
+TEST_CASE("FreeShafts tell which backs may be seen", "[free_shafts]") {
+  const FreeShafts shafts =
+      shaftsOf({square(0, 0, true), square(2, 1, false), square(2, 1, true), square(2, 0, false)});
+  CHECK_FALSE(shafts.maySeeBack(0, 0));
+  CHECK_FALSE(shafts.maySeeBack(0, 1));
+  CHECK(shafts.maySeeBack(0, 2));
+  CHECK_FALSE(shafts.maySeeBack(0, 3));  // in the plane
+}
