@@ -22,6 +22,7 @@
 #include "raster/base/input_error.h"
 #include "reference/base/hashes/sha256.h"
 #include "reference/matrices/matrix_files.h"
+#include "reference/matrices/measured_twice.h"
 #include "reference/matrices/npz_file.h"
 #include "reference/matrices/smoothing.h"
 #include "reference/matrices/sparse_row.h"
@@ -45,9 +46,12 @@ reference::FormFactorMatrix factorsOf(const std::vector<SparseRow>& matrix) {
   return factors;
 }
 
+/// By so many of its standard errors smoothing may move an entry.
+constexpr double standardErrors = 4;
+
 /// Smooths the rows of a matrix.
 reference::SmoothingMoves smooth(std::vector<SparseRow>& matrix, const RowReceivers& receivers) {
-  reference::MatrixSmoother smoother(receivers.area);
+  reference::MatrixSmoother smoother(receivers.area, standardErrors);
   for (const SparseRow& row : matrix) smoother.add(row);
   const reference::SmoothingMoves moves = smoother.smooth();
   std::size_t next = 0;
@@ -197,12 +201,14 @@ double errorOf(const SparseRow& row, std::size_t facets) {
 /// Writes the rows of a matrix, or smooths them first, and collects what the JSON file says of them.
 class MatrixOutput {
  public:
+  /// `isBounded` tells that errors are bounds, and not standard errors.
   /// `watch` is called with each row that is written and the estimate of its error, 0 if there is none.
   using Watch = std::function<void(const SparseRow& row, double error)>;
 
-  MatrixOutput(const std::filesystem::path& file, const reference::MatrixHeading& heading, bool isSmooth, Watch watch)
+  MatrixOutput(const std::filesystem::path& file, const reference::MatrixHeading& heading, bool isSmooth,
+               bool isBounded, Watch watch)
       : heading_(heading), writer_(reference::matrixSink(file, heading)), watch_(std::move(watch)) {
-    if (isSmooth) smoother_.emplace(heading.area);
+    if (isSmooth) smoother_.emplace(heading.area, isBounded ? 1 : standardErrors);
   }
 
   void take(SparseRow row) {
@@ -224,6 +230,8 @@ class MatrixOutput {
     writer_->finish();
     return moves;
   }
+  /// The estimated errors of rows.
+  const std::vector<double>& errors() const { return errors_; }
   nlohmann::ordered_json toJson() const {
     nlohmann::ordered_json text{{"entries", entries_}, {"row_sums", {smallestSum_, largestSum_}}};
     if (hasRowErrors_) text["errors"] = errors_;
@@ -261,16 +269,32 @@ class MatrixOutput {
   double smallestSum_ = std::numeric_limits<double>::infinity(), largestSum_ = 0;
 };
 
+/// Says which rows have a larger estimated error than was asked for, in a list for the JSON file. That is a failure if
+/// the user insists on it.
+std::vector<std::size_t> rowsAbove(const std::vector<double>& errors, const FormFactorOptions& options,
+                                   const std::vector<std::string>& names, Context& context) {
+  std::vector<std::size_t> rows;
+  for (std::size_t r = 0; r < errors.size(); ++r)
+    if (errors[r] > *options.maxError) rows.push_back(r);
+  if (rows.empty()) return rows;
+  const auto worst = static_cast<std::size_t>(std::max_element(errors.begin(), errors.end()) - errors.begin());
+  context.console.warning(std::to_string(rows.size()) + " of " + std::to_string(errors.size()) +
+                          " rows have an estimated error above --max-error " + roundedText(*options.maxError) +
+                          ": at most " + roundedText(errors[worst]) + ", of " + names[worst]);
+  context.failed = context.failed || options.insist;
+  return rows;
+}
+
 /// The JSON file's words on smoothing.
 nlohmann::ordered_json tellMoves(const reference::SmoothingMoves& moves, bool hasErrors, Console& console) {
   nlohmann::ordered_json text{{"largest", moves.largest}, {"root_mean_square", moves.rootMeanSquare}};
-  std::string beyond;
-  if (hasErrors) {
-    text["beyond_their_error"] = moves.beyondErrors;
-    beyond = "; " + std::to_string(moves.beyondErrors) + " moved by more than their estimated error";
-  }
+  if (hasErrors) text["rows_missed"] = moves.missed;
   console.message("smoothing moved form factors by at most " + roundedText(moves.largest) + ", root mean square " +
-                  roundedText(moves.rootMeanSquare) + beyond);
+                  roundedText(moves.rootMeanSquare));
+  if (hasErrors && !moves.missed.empty())
+    console.warning(
+        std::to_string(moves.missed.size()) +
+        " rows would keep their sums only if form factors moved by more than their errors; their sums change");
   return text;
 }
 
@@ -303,18 +327,30 @@ void writeMatrix(const FormFactorOptions& options, Context& context, const radio
   reference::MatrixHeading heading = headingOf(families, receivers);
   heading.hasErrors = options.maxError || options.method == "rays";
   std::vector<double> backs;
-  MatrixOutput matrix(file->staging().file(), heading, options.smooth, [&](const SparseRow& row, double error) {
-    const auto place = row.placeOf(families.names.size() + 1);
-    backs.push_back(place ? row.value[*place] : 0);
-    if (facets) values.take(row, error);
-  });
-  forEachRow(method, families, file.get(), context, [&](SparseRow row) { matrix.take(std::move(row)); });
+  MatrixOutput matrix(file->staging().file(), heading, options.smooth, options.maxError.has_value(),
+                      [&](const SparseRow& row, double error) {
+                        const auto place = row.placeOf(families.names.size() + 1);
+                        backs.push_back(place ? row.value[*place] : 0);
+                        if (facets) values.take(row, error);
+                      });
+  if (options.maxError) {
+    reference::MeasuredTwice measured(heading.area);
+    forEachRow(method, families, file.get(), context, [&](const SparseRow& row) { measured.add(row); });
+    std::uint32_t next = 0;
+    file->reread(families.names.size(), [&](SparseRow row) {
+      measured.widen(next++, row);
+      matrix.take(std::move(row));
+    });
+  } else {
+    forEachRow(method, families, file.get(), context, [&](SparseRow row) { matrix.take(std::move(row)); });
+  }
   const std::optional<reference::SmoothingMoves> moves = matrix.finish();
   if (facets) facets->write(options.scene.file, options.scene.settings.sides, values.arrays());
   nlohmann::ordered_json result{{"matrix", options.output.filename().string()},
                                 {"sha256", file->staging().hashes().at(options.output.filename())}};
   result.update(nlohmann::ordered_json::parse(reference::aboutMatrix(heading)));
   result.update(matrix.toJson());
+  if (options.maxError) result["rows_above"] = rowsAbove(matrix.errors(), options, families.names, context);
   if (moves) result["smoothing"] = tellMoves(*moves, heading.hasErrors, context.console);
   warnOfBacks(backs, families.names, context.console);
   result["settings"] = settingsOf(options);

@@ -157,6 +157,20 @@ bool RowFile::replay(std::size_t receivers, const std::function<void(reference::
   }
 }
 
+void RowFile::reread(std::size_t receivers, const std::function<void(reference::SparseRow)>& take) {
+  std::rewind(file_.get());
+  nextLine();
+  for (std::size_t number = 0; number < rows_; ++number) {
+    std::string line = nextLine();
+    if (line.ends_with('\n')) line.pop_back();
+    std::optional<reference::SparseRow> row = numberedRow(line, number, receivers);
+    if (!row)
+      throw InputError(staging_.place().pathOf(part_).string(), static_cast<int>(number + 2),
+                       "was changed while it was written", "run the command again");
+    take(std::move(*row));
+  }
+}
+
 void RowFile::write(const std::string& line) {
   if (std::fwrite(line.data(), 1, line.size(), file_.get()) != line.size() || std::fflush(file_.get()) != 0)
     throw InputError(staging_.place().pathOf(part_).string(), 0, "cannot be written",

@@ -47,6 +47,8 @@ class RowFile {
   /// Gives the rows that the file held when it was opened to `take`, in their order. Drops the first damaged one and
   /// all behind it. Call it once, before `append`. Returns whether rows were dropped.
   bool replay(std::size_t receivers, const std::function<void(reference::SparseRow)>& take);
+  /// Gives all rows of the file to `take` once more, in their order. Throws InputError if the file has changed.
+  void reread(std::size_t receivers, const std::function<void(reference::SparseRow)>& take);
   /// The number of rows in the file.
   std::size_t rows() const { return rows_; }
   /// Appends a row. Throws InputError if it cannot be written.

@@ -1,6 +1,7 @@
 #include "radiosity/geometry/convex_part.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <numbers>
 
@@ -23,26 +24,33 @@ double angleOverSine(double sine, double cosine) {
 
 }  // namespace
 
-ConvexPart inFrontOf(const std::array<glm::dvec3, 3>& triangle, const glm::dvec3& point, const glm::dvec3& normal) {
-  std::array<double, 3> heights{};
-  double largest = 0;
-  for (std::size_t k = 0; k < 3; ++k) {
-    heights[k] = glm::dot(normal, triangle[k] - point);
-    largest = std::max(largest, glm::distance(triangle[k], point));
+ConvexPart inFrontOf(std::span<const glm::dvec3> polygon, const glm::dvec3& point, const glm::dvec3& normal) {
+  std::array<double, 7> heights{};
+  assert(polygon.size() <= heights.size());
+  double largest = 0, highest = 0;
+  for (std::size_t k = 0; k < polygon.size(); ++k) {
+    heights[k] = glm::dot(normal, polygon[k] - point);
+    largest = std::max(largest, glm::distance(polygon[k], point));
   }
   const double slack = 1e-13 * largest;
-  for (double& height : heights)
+  for (double& height : heights) {
     if (std::abs(height) <= slack) height = 0;
+    highest = std::max(highest, height);
+  }
   ConvexPart part;
-  if (std::max({heights[0], heights[1], heights[2]}) <= 0) return part;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const std::size_t next = (k + 1) % 3;
-    if (heights[k] >= 0) part.corners[part.count++] = triangle[k];
+  if (highest <= 0) return part;
+  for (std::size_t k = 0; k < polygon.size(); ++k) {
+    const std::size_t next = (k + 1) % polygon.size();
+    if (heights[k] >= 0) part.corners[part.count++] = polygon[k];
     if ((heights[k] > 0 && heights[next] < 0) || (heights[k] < 0 && heights[next] > 0))
       part.corners[part.count++] =
-          triangle[k] + heights[k] / (heights[k] - heights[next]) * (triangle[next] - triangle[k]);
+          polygon[k] + heights[k] / (heights[k] - heights[next]) * (polygon[next] - polygon[k]);
   }
   return part;
+}
+
+ConvexPart inFrontOf(const std::array<glm::dvec3, 3>& triangle, const glm::dvec3& point, const glm::dvec3& normal) {
+  return inFrontOf(std::span<const glm::dvec3>(triangle), point, normal);
 }
 
 double fromPoint(const glm::dvec3& point, const glm::dvec3& normal, const ConvexPart& polygon) {

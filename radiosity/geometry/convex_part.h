@@ -1,4 +1,4 @@
-/// A triangle clipped by a plane, and the form factor from a point to it in closed form.
+/// A convex polygon clipped by a plane, and the form factor from a point to it in closed form.
 #pragma once
 
 #include <array>
@@ -8,15 +8,17 @@
 
 namespace hemitex::radiosity {
 
-/// A triangle that is clipped by a plane has up to four corners.
+/// A polygon of up to seven corners that is clipped by a plane has up to eight.
 struct ConvexPart {
-  std::array<glm::dvec3, 4> corners;
+  std::array<glm::dvec3, 8> corners;
   std::size_t count = 0;
 
   std::span<const glm::dvec3> span() const { return {corners.data(), count}; }
 };
 
-/// The part in front of the plane through `point`; nothing if it is no higher than rounding.
+/// The part of a convex polygon, of up to seven corners, in front of the plane through `point`; nothing if it is no
+/// higher than rounding.
+ConvexPart inFrontOf(std::span<const glm::dvec3> polygon, const glm::dvec3& point, const glm::dvec3& normal);
 ConvexPart inFrontOf(const std::array<glm::dvec3, 3>& triangle, const glm::dvec3& point, const glm::dvec3& normal);
 
 /// The form factor from a point with a unit normal to a polygon above its horizon that winds counter-clockwise in

@@ -1,5 +1,5 @@
-/// A bounding volume hierarchy over boxes, for the nearest of objects that they enclose. A search visits few of the
-/// boxes that are farther away than the nearest object.
+/// A bounding volume hierarchy over boxes, for the nearest of objects that they enclose, and for those in a region. A
+/// search visits few of the boxes that are farther away than the nearest object, or outside the region.
 #pragma once
 
 #include <cstdint>
@@ -31,6 +31,11 @@ class NearestBoxes {
   void visit(const glm::dvec3& point, double& limit, const Visitor& visitor) const {
     if (!nodes_.empty()) visitNode(0, point, limit, visitor);
   }
+  /// Whether isWanted(number) is true for a box. Boxes in larger ones for which meets(box) is false are not asked.
+  template <typename Meets, typename IsWanted>
+  bool any(const Meets& meets, const IsWanted& isWanted) const {
+    return !nodes_.empty() && anyOf(0, meets, isWanted);
+  }
 
  private:
   /// The first child of an inner node is the next node. A leaf has boxes instead.
@@ -52,6 +57,15 @@ class NearestBoxes {
     const bool isFirstNearer = squaredDistance(point, nodes_[first].box) <= squaredDistance(point, nodes_[second].box);
     visitNode(isFirstNearer ? first : second, point, limit, visitor);
     visitNode(isFirstNearer ? second : first, point, limit, visitor);
+  }
+
+  template <typename Meets, typename IsWanted>
+  bool anyOf(std::uint32_t number, const Meets& meets, const IsWanted& isWanted) const {
+    const Node& node = nodes_[number];
+    if (!meets(node.box)) return false;
+    for (std::uint32_t i = node.second; i < node.second + node.boxes; ++i)
+      if (isWanted(order_[i])) return true;
+    return node.boxes == 0 && (anyOf(number + 1, meets, isWanted) || anyOf(node.second, meets, isWanted));
   }
 
   std::vector<Node> nodes_;           ///< the root is the first one

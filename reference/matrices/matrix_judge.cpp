@@ -155,12 +155,13 @@ class Judge {
     checkEntries();
     checkReciprocity();
     rows_ = measuredRows(mesh_, settings_);
+    const std::vector<ConvexPolygons> polygons = convexPolygons(mesh_.scene);
     for (const TrueRow& row : rows_) {
       unblocked_.emplace_back(mesh_.scene.surfaces.size());
       std::vector<double>& closed = unblocked_.back();
       raster::parallelFor(closed.size(), [&](std::size_t s) {
         for (const radiosity::Instance& instance : mesh_.scene.instances)
-          closed[s] += quickFormFactor(mesh_.scene.surfaces[row.surface], placed(mesh_.scene.surfaces[s], instance));
+          closed[s] += quickFormFactor(polygons[row.surface], placed(mesh_.scene, polygons[s], instance));
       });
     }
     joinPlaces();

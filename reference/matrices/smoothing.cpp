@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <tuple>
 #include <utility>
@@ -46,7 +47,7 @@ std::vector<double> leastSquares(const Multiply& multiply, const std::vector<dou
 
 }  // namespace
 
-MatrixSmoother::MatrixSmoother(std::vector<double> area) : area_(std::move(area)) {}
+MatrixSmoother::MatrixSmoother(std::vector<double> area, double limit) : area_(std::move(area)), limit_(limit) {}
 
 void MatrixSmoother::add(const SparseRow& row) {
   assert(rows_ < area_.size());
@@ -74,20 +75,39 @@ void MatrixSmoother::add(const SparseRow& row) {
   firstOf_.push_back(exchanges_.size());
 }
 
-/// Sets the flux and the variance of an exchange. What one row alone sees has the value 0 in the other, with that value
-/// as its error.
-void MatrixSmoother::settle(Exchange& exchange) const {
-  if (exchange.low == exchange.high || !isShared(exchange)) exchange.measured[1] = exchange.measured[0];
-  std::array<double, 2> value{}, error = exchange.error;
-  for (std::size_t k = 0; k < 2; ++k) value[k] = std::max(exchange.measured[k], 0.0);
-  const double larger = std::max(value[0], value[1]);
+/// The errors of both measurements. What one row alone sees has the value 0 in the other, with that value as its error.
+std::array<double, 2> MatrixSmoother::errorsOf(const Exchange& exchange) const {
+  std::array<double, 2> error = exchange.error;
+  const double larger = std::max({exchange.measured[0], exchange.measured[1], 0.0});
   for (std::size_t k = 0; k < 2; ++k)
     error[k] = std::max(error[k], exchange.measured[k] < 0 ? larger : smallestError * larger);
+  return error;
+}
+
+/// Sets the flux and the variance of an exchange.
+void MatrixSmoother::settle(Exchange& exchange) const {
+  if (exchange.low == exchange.high || !isShared(exchange)) exchange.measured[1] = exchange.measured[0];
+  const std::array<double, 2> error = errorsOf(exchange);
+  std::array<double, 2> value{};
+  for (std::size_t k = 0; k < 2; ++k) value[k] = std::max(exchange.measured[k], 0.0);
   const double both = error[0] + error[1];
   if (both == 0) return;
   exchange.flux = hasErrors_ ? (value[0] * error[1] + value[1] * error[0]) / both : (value[0] + value[1]) / 2;
   exchange.fluxError = 2 * error[0] * error[1] / both;
   exchange.variance = hasErrors_ ? exchange.fluxError * exchange.fluxError : exchange.flux;
+}
+
+/// The nearest flux that is not negative, and no farther from a measurement than the limit if errors are known. Where
+/// measurements contradict each other, their mean stays.
+double MatrixSmoother::limited(const Exchange& exchange, double flux) const {
+  if (!hasErrors_) return std::max(flux, 0.0);
+  const std::array<double, 2> error = errorsOf(exchange);
+  double low = 0, high = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < 2; ++k) {
+    low = std::max(low, std::max(exchange.measured[k], 0.0) - limit_ * error[k]);
+    high = std::min(high, std::max(exchange.measured[k], 0.0) + limit_ * error[k]);
+  }
+  return low <= high ? std::clamp(flux, low, high) : exchange.flux;
 }
 
 /// The sum of a part of the exchanges of each row.
@@ -150,43 +170,47 @@ SmoothingMoves MatrixSmoother::smooth() {
     if (exchange.low != exchange.high && isShared(exchange))
       wanted[exchange.high] += std::max(exchange.measured[1], 0.0);
   }
-  for (bool isBelow = true; isBelow;) {
+  for (bool isOutside = true; isOutside;) {
     std::vector<double> missing = wanted;
     addScaled(missing, -1, sums(&Exchange::flux));
     const std::vector<double> x = multipliers(missing);
     const auto moved = [&](const Exchange& exchange) {
       return exchange.flux + exchange.variance * (x[exchange.low] + (isShared(exchange) ? x[exchange.high] : 0.0));
     };
-    isBelow = false;
-    for (Exchange& exchange : exchanges_)
-      if (moved(exchange) < 0) {
-        exchange.flux = exchange.variance = 0;
-        isBelow = true;
-      }
-    if (!isBelow)
+    isOutside = false;
+    for (Exchange& exchange : exchanges_) {
+      const double flux = moved(exchange), nearest = limited(exchange, flux);
+      if (exchange.variance == 0 || std::abs(flux - nearest) <= 1e-12 * exchange.flux) continue;
+      exchange.flux = nearest;
+      exchange.variance = 0;
+      isOutside = true;
+    }
+    if (!isOutside)
       for (Exchange& exchange : exchanges_) exchange.flux = moved(exchange);
   }
-  return moves();
+  return moves(wanted);
 }
 
-SmoothingMoves MatrixSmoother::moves() const {
+SmoothingMoves MatrixSmoother::moves(const std::vector<double>& wanted) const {
   SmoothingMoves result;
   double squares = 0;
   std::size_t count = 0;
-  const auto look = [&](double area, double measured, double error, double flux) {
+  const auto look = [&](double area, double measured, double flux) {
     if (measured < 0) return;
     const double moved = std::abs(flux - measured) / area;
     result.largest = std::max(result.largest, moved);
     squares += moved * moved;
     ++count;
-    if (hasErrors_ && moved > std::max(error, smallestError * measured) / area) ++result.beyondErrors;
   };
   for (const Exchange& exchange : exchanges_) {
-    look(area_[exchange.low], exchange.measured[0], exchange.error[0], exchange.flux);
+    look(area_[exchange.low], exchange.measured[0], exchange.flux);
     if (exchange.low != exchange.high && isShared(exchange))
-      look(area_[exchange.high], exchange.measured[1], exchange.error[1], exchange.flux);
+      look(area_[exchange.high], exchange.measured[1], exchange.flux);
   }
   if (count > 0) result.rootMeanSquare = std::sqrt(squares / static_cast<double>(count));
+  const std::vector<double> found = sums(&Exchange::flux);
+  for (std::uint32_t row = 0; row < area_.size(); ++row)
+    if (std::abs(found[row] - wanted[row]) > 1e-9 * area_[row]) result.missed.push_back(row);
   return result;
 }
 

@@ -6,15 +6,16 @@
 ///
 ///     F_ij = v_ij U_ij,
 ///
-/// where U is the closed form without blockers (quick_form_factor.h), and v the visible part: the light that reaches j
-/// through the pixels of hemicubes over points of i, over the light through the pixels that j covers as if it were
-/// alone (radiosity/projection/covered_share.h). Both sums have the same points and pixels, so that most errors of the
-/// hemicubes cancel. A facet that covers very few pixels keeps the light through its pixels.
+/// where U is the closed form without blockers (quick_form_factor.h), and v the visible part. It is 1 where nothing can
+/// lie between (free_shafts.h). Else it is the light that reaches j through the pixels of hemicubes over points of i,
+/// over the light through the pixels that j covers as if it were alone (radiosity/projection/covered_share.h). Both
+/// sums have the same points and pixels, so that most errors of the hemicubes cancel. A facet that covers very few
+/// pixels keeps the light through its pixels, at most U.
 ///
-/// The points are centroids of equal parts of the facet, with more of them until the estimated error is small enough.
-/// The estimate compares two sets of points: each visible part is measured twice, and the row's error is twice the sum
-/// of the differences, and a little more than a pixel. At the end the shares are changed by their errors so that they
-/// sum to 1.
+/// The points are eight random sets, whose differences give the standard errors of all shares. Each facet has points of
+/// its own, so that no edge lies between the points of all. There are more of them until the estimated error of the row
+/// is small enough: three times the standard errors, and what chance may hide from the sets. At the end the shares are
+/// changed by their errors so that they sum to 1. No form factor is above U.
 #pragma once
 
 #include <cstdint>
@@ -26,6 +27,7 @@
 #include "radiosity/index_maps/id_layout.h"
 #include "radiosity/scene/scene.h"
 #include "reference/matrices/sparse_row.h"
+#include "reference/rows/free_shafts.h"
 
 namespace hemitex::reference {
 
@@ -41,14 +43,15 @@ class FacetFormFactors {
   ~FacetFormFactors();
 
   /// The row of a facet, whose receivers are all facets. Errors of entries are rounded to binary32, and none is small
-  /// by chance. The error of the row is estimated by the differences of both halves, and what facets smaller than a
-  /// pixel may receive. May be called by several threads; the result does not depend on them.
+  /// by chance. The error of the row is that of all its shares, surroundings and backs among them. May be called by
+  /// several threads; the result does not depend on them.
   SparseRow row(std::uint32_t facet);
 
  private:
   class Worker;
   const radiosity::Scene& scene_;
   FacetRowSettings settings_;
+  FreeShafts shafts_;
   radiosity::Discretization images_;  ///< elements are the facets at all instances, numbered instance by instance
   radiosity::IdLayout layout_;        ///< item IDs are the numbers of these elements
   std::mutex mutex_;

@@ -91,8 +91,11 @@ TEST_CASE("hemitex solve --facets --max-error shoots along the rows of formfacto
   const json solution = json::parse(readAll(shell.file("lit/solution.json")));
   CHECK(solution["elements"] == 19);
   CHECK(differenceFromDense(shell, "lit", "F.npz", false) < 2 * solution["residual"].get<double>());
-  CHECK(solution["row_error"] < 0.02);
-  CHECK(cellData(shell, "lit/scene.vtu", "row_error") == cellData(shell, "F.vtu", "error"));
+  CHECK(solution["row_error"] <= 0.02);
+  // Only the matrix has both measurements of a pair, which may widen its errors.
+  const std::vector<double> ofRows = cellData(shell, "lit/scene.vtu", "row_error"),
+                            ofMatrix = cellData(shell, "F.vtu", "error");
+  for (std::size_t i = 0; i < 19; ++i) CHECK(ofRows[i] <= ofMatrix[i]);
 
   shell.output("solve " + box + " --facets --max-error 0.02 --size 40x30 --no-textures -o serial --threads 1");
   CHECK(readAll(shell.file("lit/scene.vtu")) == readAll(shell.file("serial/scene.vtu")));

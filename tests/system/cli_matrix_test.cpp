@@ -46,6 +46,27 @@ TEST_CASE("hemitex matrix check accepts a matrix of formfactors, and names the f
   CHECK(verdict["problems"].size() >= 2);
 }
 
+TEST_CASE("hemitex formfactors tells the rows that miss --max-error, and fails if the user insists", "[cli]") {
+  const Shell shell;
+  // A small triangle between a floor and a roof.
+  writeAll(shell.file("m.obj"),
+           "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 0 1 1\nv 1 1 1\nv 1 0 1\n"
+           "v .3 .3 .5\nv .7 .35 .5\nv .6 .7 .5\n"
+           "f 1 2 3 4\nf 5 6 7 8\nf 9 10 11\n");
+  const std::string command = "formfactors m.obj --all --facets --one-sided -o F.npz --max-error ";
+  const Outcome strict = shell.run(command + "1e-7");
+  CHECK(strict.exitCode == 0);
+  CHECK(strict.err.find("above --max-error") != std::string::npos);
+  const json told = json::parse(readAll(shell.file("F.json")));
+  for (const std::size_t row : told["rows_above"]) CHECK(told["errors"][row] > 1e-7);
+  CHECK(told["rows_above"].size() >= 2);
+  CHECK(shell.run(command + "1e-7 --insist").exitCode == 1);
+  const Outcome easy = shell.run(command + "0.9 --insist");
+  CHECK(easy.exitCode == 0);
+  CHECK(easy.err.find("above --max-error") == std::string::npos);
+  CHECK(json::parse(readAll(shell.file("F.json")))["rows_above"].empty());
+}
+
 TEST_CASE("hemitex matrix check and compare refuse what is no matrix of the mesh", "[cli]") {
   const Shell shell;
   shell.output("formfactors room.obj --all --facets --max-error 0.02 -o F.npz");

@@ -56,8 +56,8 @@ struct Estimate {
   Real value = 0;
   Real error = 0;  ///< upper bound of the error from rounding and quadrature
 
-  /// Whether the value is positive and its relative error is at most 1e-10; true for an exact 0.
-  bool isCertain() const { return error <= 1e-10 * value; }
+  /// Whether the value is positive and its relative error is at most this; true for an exact 0.
+  bool isCertain(double relative = 1e-10) const { return error <= relative * value; }
 };
 
 }  // namespace hemitex::reference

@@ -98,6 +98,37 @@ std::optional<Outline> convexOutline(std::span<const SurfacePiece> pieces) {
 
 }  // namespace
 
+ConvexPolygons convexPolygons(const radiosity::Scene& scene, const radiosity::Surface& surface) {
+  constexpr std::size_t mostCorners = 7;
+  std::vector<SurfacePiece> pieces;
+  ConvexPolygons triangles;
+  for (const radiosity::Triangle& triangle : surface.triangles) {
+    if (radiosity::area(triangle) == 0) continue;
+    const auto corners = inFrame(scene, triangle);
+    triangles.emplace_back(corners.begin(), corners.end());
+    pieces.push_back({0, 0, radiosity::normal(triangle), triangles.back(), {}});
+  }
+  const std::optional<Outline> outline = convexOutline(pieces);
+  return outline && outline->size() <= mostCorners ? ConvexPolygons{*outline} : triangles;
+}
+
+std::vector<ConvexPolygons> convexPolygons(const radiosity::Scene& scene) {
+  std::vector<ConvexPolygons> result;
+  for (const radiosity::Surface& surface : scene.surfaces) result.push_back(convexPolygons(scene, surface));
+  return result;
+}
+
+ConvexPolygons placed(const radiosity::Scene& scene, const ConvexPolygons& polygons,
+                      const radiosity::Instance& instance) {
+  ConvexPolygons result = polygons;
+  const glm::dvec3 shift = inFrame(scene, instance(scene.origin));
+  for (std::vector<glm::dvec3>& polygon : result) {
+    for (glm::dvec3& corner : polygon) corner = instance.sign * corner + shift;
+    if (instance.reflects()) std::reverse(polygon.begin(), polygon.end());
+  }
+  return result;
+}
+
 SurfacePieces mergedPieces(const SurfacePieces& pieces) {
   SurfacePieces result;
   result.first.push_back(0);

@@ -11,4 +11,14 @@ namespace hemitex::reference {
 /// of the others within 1e-11 of it. Where neighbours do not share whole edges, pieces stay as they are.
 SurfacePieces mergedPieces(const SurfacePieces& pieces);
 
+/// A surface as convex polygons in the frame of the scene: one where its triangles form one of up to seven corners,
+/// else its triangles with area.
+using ConvexPolygons = std::vector<std::vector<glm::dvec3>>;
+ConvexPolygons convexPolygons(const radiosity::Scene& scene, const radiosity::Surface& surface);
+/// Those of each surface.
+std::vector<ConvexPolygons> convexPolygons(const radiosity::Scene& scene);
+/// The polygons at an instance of the scene.
+ConvexPolygons placed(const radiosity::Scene& scene, const ConvexPolygons& polygons,
+                      const radiosity::Instance& instance);
+
 }  // namespace hemitex::reference

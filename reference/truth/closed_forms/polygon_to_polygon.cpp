@@ -9,6 +9,7 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 #include <vector>
 
 #include "reference/truth/closed_forms/extended_precision.h"
@@ -42,10 +43,10 @@ Newell newellOf(std::span<const glm::dvec3> polygon) {
 }
 
 /// In double precision the relative error of the normal is that of a double over the sliver's ratio of area to reach.
-/// So slivers take wide numbers.
-Plane planeOf(std::span<const glm::dvec3> polygon) {
+/// So slivers take wide numbers, unless the ratio is above `sliver`.
+Plane planeOf(std::span<const glm::dvec3> polygon, double sliver = 0.05) {
   const Newell quick = newellOf(polygon);
-  if (const double twice = glm::length(quick.normal); twice > 0.05 * quick.reach)
+  if (const double twice = glm::length(quick.normal); twice > sliver * quick.reach)
     return {polygon[0], quick.normal / twice, twice / 2};
   WideVector<Wide> sum{};
   const WideVector<Wide> origin = widen<Wide>(polygon[0]);
@@ -125,18 +126,28 @@ double integralOverTriangle(const std::array<glm::dvec3, 3>& triangle, const glm
   return 2 * planeOf(triangle).area * Rule::integrate(alongS, 0.0, 1.0);
 }
 
-/// The integral over a polygon. `apart` is the distance of `to` from its middle over its radius, at least 3. The
-/// relative error of n points falls as (apart + sqrt(apart^2 - 1))^(-2n); it is below 1e-12.
+/// Calls visit(n) with the size of a Gauss rule, a constant, over an interval whose integrand is smooth in `apart`
+/// halves of the interval from its middle, above 1. The error of n points falls as (apart + sqrt(apart^2 - 1))^(-2n);
+/// it is below `tolerance`, at least 1e-17, if `apart` is at least 2.
+template <typename Visit>
+auto withGaussPoints(double apart, double tolerance, const Visit& visit) {
+  const double needed = -std::log(tolerance) / (2 * std::log(apart + std::sqrt(apart * apart - 1)));
+  if (needed <= 4) return visit(std::integral_constant<unsigned, 4>());
+  if (needed <= 5) return visit(std::integral_constant<unsigned, 5>());
+  if (needed <= 7) return visit(std::integral_constant<unsigned, 7>());
+  if (needed <= 10) return visit(std::integral_constant<unsigned, 10>());
+  return visit(std::integral_constant<unsigned, 15>());
+}
+
+/// The integral over a polygon. `apart` is the distance of `to` from its middle over its radius, at least 3.
 double integralOver(const Polygon& polygon, const glm::dvec3& normal, const Polygon& to, double apart,
-                    double absoluteError) {
-  const auto integral = apart >= 40   ? integralOverTriangle<4>
-                        : apart >= 12 ? integralOverTriangle<5>
-                        : apart >= 6  ? integralOverTriangle<7>
-                                      : integralOverTriangle<10>;
-  double sum = 0;
-  for (std::size_t i = 2; i < polygon.size(); ++i)
-    sum += integral({polygon[0], polygon[i - 1], polygon[i]}, normal, to, absoluteError);
-  return sum;
+                    const FormFactorAccuracy& accuracy) {
+  return withGaussPoints(apart, 0.01 * accuracy.relative, [&](auto points) {
+    double sum = 0;
+    for (std::size_t i = 2; i < polygon.size(); ++i)
+      sum += integralOverTriangle<points()>({polygon[0], polygon[i - 1], polygon[i]}, normal, to, accuracy.absolute);
+    return sum;
+  });
 }
 
 template <typename Real>
@@ -191,9 +202,56 @@ std::vector<Real> cutsAlong(const Edge<Real>& outer, const Edge<Real>& inner) {
   return cuts;
 }
 
-/// The integral of ln |x - y| over the points x and y of two edges, up to a term of the inner edge alone.
+/// The same over the points x and y of two parallel edges. With the distance d of their lines, and differences u of
+/// places along them, the second antiderivative of ln(u^2 + d^2) / 2 is
+///   (u^2 - d^2) ln(u^2 + d^2) / 4 + d u atan(u / d) - 3 u^2 / 4.
 template <typename Real>
-Estimate<Real> logarithmOver(const Edge<Real>& outer, const Edge<Real>& inner) {
+Estimate<Real> logarithmOverParallel(const Edge<Real>& outer, const Edge<Real>& inner) {
+  using std::abs;
+  using std::atan2;
+  using std::log;
+  using std::max;
+  using std::min;
+  const WideVector<Real> toStart = inner.start - outer.start;
+  const Real apart = length(cross(toStart, outer.direction));
+  const Real first = dot(toStart, outer.direction), second = dot(inner.end - outer.start, outer.direction);
+  const Real low = min(first, second), high = max(first, second);
+  Estimate<Real> total{-outer.length * inner.length / 2, 0};
+  const auto add = [&](const Real& u, int sign) {
+    const Real squared = u * u + apart * apart;
+    if (squared == 0) return;
+    const Real logarithm = log(squared) / 4;
+    total.value += sign * ((u * u - apart * apart) * logarithm + apart * u * atan2(u, apart));
+    total.error += squared * (2 + abs(logarithm));
+  };
+  add(high, 1);
+  add(high - outer.length, -1);
+  add(low, -1);
+  add(low - outer.length, 1);
+  total.error *= 4 * std::numeric_limits<Real>::epsilon();
+  return total;
+}
+
+/// The same over the points x and y of two edges that are apart: the nearest point of `inner` to the middle of `outer`
+/// is `apart` halves of it away, at least 2.
+Estimate<double> logarithmOverDistant(const Edge<double>& outer, const Edge<double>& inner, double apart,
+                                      double tolerance) {
+  return withGaussPoints(apart, tolerance, [&](auto points) {
+    double size = 0;
+    const auto along = [&](double t) {
+      const double value = logarithmOver(inner, outer.start + t * (outer.end - outer.start));
+      size = std::max(size, std::abs(value));
+      return value;
+    };
+    const double integral = boost::math::quadrature::gauss<double, points()>::integrate(along, 0.0, 1.0);
+    const double error = tolerance * inner.length + 8 * std::numeric_limits<double>::epsilon() * (size + inner.length);
+    return Estimate<double>{outer.length * integral, outer.length * error};
+  });
+}
+
+/// The same over the points x and y of any two edges.
+template <typename Real>
+Estimate<Real> logarithmOverNear(const Edge<Real>& outer, const Edge<Real>& inner, const Real& tolerance) {
   const Real epsilon = std::numeric_limits<Real>::epsilon();
   // The integrands are bounded, so that the rule need not come nearer to the ends than this. Each thread has a rule of
   // its own: Boost announces a finer step before it has computed all its points.
@@ -207,42 +265,73 @@ Estimate<Real> logarithmOver(const Edge<Real>& outer, const Edge<Real>& inner) {
       return logarithmOver(inner, outer.start + (middle + half * t) * (outer.end - outer.start));
     };
     Real error = 0, size = 0;
-    const Real integral = rule.integrate(along, Real(64 * epsilon), &error, &size);
+    const Real integral = rule.integrate(along, tolerance, &error, &size);
     total.value += half * outer.length * integral;
     total.error += half * outer.length * (error + 8 * epsilon * (size + inner.length));
   }
   return total;
 }
 
-/// The contour integral over 2 pi: area times form factor.
+glm::dvec3 narrow(const WideVector<double>& v) { return {v.x, v.y, v.z}; }
+
+/// The integral of ln |x - y| over the points x and y of two edges, up to terms of one edge alone.
 template <typename Real>
-Estimate<Real> contourIntegral(const Polygon& from, const Polygon& to) {
+Estimate<Real> logarithmOverBoth(const Edge<Real>& a, const Edge<Real>& b, const Real& tolerance) {
+  const Edge<Real>&outer = a.length < b.length ? a : b, &inner = a.length < b.length ? b : a;
+  if constexpr (std::is_same_v<Real, double>) {
+    const glm::dvec3 middle = narrow(0.5 * (outer.start + outer.end));
+    const double apart = 2 * distanceToSegment(middle, narrow(inner.start), narrow(inner.end)) / outer.length;
+    if (apart >= 2) return logarithmOverDistant(outer, inner, apart, tolerance);
+  }
+  // Turning one edge until both are parallel moves no point by more than the sine times a length.
+  const Real sine = length(cross(outer.direction, inner.direction));
+  if (sine > tolerance / 32) return logarithmOverNear(outer, inner, tolerance);
+  Estimate<Real> parallel = logarithmOverParallel(outer, inner);
+  parallel.error += 4 * sine * outer.length * inner.length;
+  return parallel;
+}
+
+/// The contour integral over 2 pi: area times form factor. `tolerance` is the relative error of the rules, and the
+/// cosine and the sine up to which edges are perpendicular and parallel.
+template <typename Real>
+Estimate<Real> contourIntegral(const Polygon& from, const Polygon& to, const Real& tolerance) {
   using std::abs;
   const Real twoPi = boost::math::constants::two_pi<Real>();
   Estimate<Real> total;
-  const std::vector<Edge<Real>> innerEdges = edgesOf<Real>(to);
-  for (const Edge<Real>& outer : edgesOf<Real>(from))
-    for (const Edge<Real>& inner : innerEdges) {
-      const Real cosine = dot(outer.direction, inner.direction);
-      if (cosine == 0) continue;
-      const Estimate<Real> integral = logarithmOver(outer, inner);
+  const std::vector<Edge<Real>> edgesOfTo = edgesOf<Real>(to);
+  for (const Edge<Real>& a : edgesOf<Real>(from))
+    for (const Edge<Real>& b : edgesOfTo) {
+      const Real cosine = dot(a.direction, b.direction), size = abs(cosine);
+      if (size <= tolerance / 32) {
+        total.error += 8 * size * a.length * b.length;  // logarithms of distances are mostly below 40
+        continue;
+      }
+      const Estimate<Real> integral = logarithmOverBoth(a, b, tolerance);
       total.value += cosine * integral.value / twoPi;
-      total.error += abs(cosine) * integral.error / twoPi;
+      total.error += size * integral.error / twoPi;
     }
   return total;
 }
 
 /// The area of one polygon times its form factor to the other; each lies completely in front of the plane of the other.
-/// The error is relative, or at most `error`.
-double exchangeArea(const Polygon& a, const Plane& planeA, const Polygon& b, const Plane& planeB, double error) {
+/// The absolute error that is accepted is that of the area times the form factor.
+double exchangeArea(const Polygon& a, const Plane& planeA, const Polygon& b, const Plane& planeB,
+                    const FormFactorAccuracy& accuracy) {
   const bool isSmallerA = radiusOf(a) < radiusOf(b);
   const Polygon &smaller = isSmallerA ? a : b, &larger = isSmallerA ? b : a;
   const Plane &ofSmaller = isSmallerA ? planeA : planeB, &ofLarger = isSmallerA ? planeB : planeA;
   const double apart = distanceTo(larger, ofLarger, middleOf(smaller)) / radiusOf(smaller);
-  if (apart >= 3) return integralOver(smaller, ofSmaller.normal, larger, apart, error / ofSmaller.area);
-  const Estimate<double> fast = contourIntegral<double>(a, b);
-  if (fast.isCertain() || fast.error <= error) return std::max(fast.value, 0.0);
-  const Estimate<Wide> careful = contourIntegral<Wide>(a, b);
+  if (apart >= 3)
+    return integralOver(smaller, ofSmaller.normal, larger, apart,
+                        {accuracy.relative, accuracy.absolute / ofSmaller.area});
+  const double finest = 64 * std::numeric_limits<double>::epsilon();
+  const double coarser = 1e-4 * accuracy.relative;
+  for (const double tolerance : {std::max(coarser, finest), finest}) {
+    const Estimate<double> fast = contourIntegral<double>(a, b, tolerance);
+    if (fast.isCertain(accuracy.relative) || fast.error <= accuracy.absolute) return std::max(fast.value, 0.0);
+    if (coarser <= finest) break;
+  }
+  const Estimate<Wide> careful = contourIntegral<Wide>(a, b, 64 * std::numeric_limits<Wide>::epsilon());
   return careful.isCertain() ? static_cast<double>(careful.value) : 0;
 }
 
@@ -271,16 +360,19 @@ bool isBehind(const Polygon& polygon, const Polygon& other) {
 
 }  // namespace
 
-double polygonToPolygon(std::span<const glm::dvec3> from, std::span<const glm::dvec3> to, double absoluteError) {
+double polygonToPolygon(std::span<const glm::dvec3> from, std::span<const glm::dvec3> to,
+                        const FormFactorAccuracy& accuracy) {
   assert(from.size() >= 3 && to.size() >= 3);
   const double unit = extentFrom(from[0], from, to);
   const Polygon a = moved(from, from[0], unit), b = moved(to, from[0], unit);
   if (isBehind(a, b) || isBehind(b, a)) return 0;
-  const Plane planeA = planeOf(a), planeB = planeOf(b);
+  const double sliver = std::clamp(5e-12 / accuracy.relative, 1e-5, 0.05);
+  const Plane planeA = planeOf(a, sliver), planeB = planeOf(b, sliver);
   const double slack = 1e-13;
   const Polygon frontA = inFrontOf(planeB, a, slack), frontB = inFrontOf(planeA, b, slack);
   if (frontA.size() < 3 || frontB.size() < 3) return 0;
-  return exchangeArea(frontA, planeA, frontB, planeB, absoluteError * planeA.area) / planeA.area;
+  return exchangeArea(frontA, planeA, frontB, planeB, {accuracy.relative, accuracy.absolute * planeA.area}) /
+         planeA.area;
 }
 
 }  // namespace hemitex::reference

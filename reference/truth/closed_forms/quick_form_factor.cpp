@@ -15,8 +15,11 @@ using radiosity::ConvexPart;
 using radiosity::fromPoint;
 using radiosity::inFrontOf;
 
-glm::dvec3 areaVector(const TriangleCorners& triangle) {
-  return 0.5 * glm::cross(triangle[1] - triangle[0], triangle[2] - triangle[0]);
+glm::dvec3 areaVector(std::span<const glm::dvec3> polygon) {
+  glm::dvec3 sum(0);
+  for (std::size_t k = 2; k < polygon.size(); ++k)
+    sum += glm::cross(polygon[k - 1] - polygon[0], polygon[k] - polygon[0]);
+  return 0.5 * sum;
 }
 
 glm::dvec3 middleOf(const ConvexPart& part) {
@@ -54,7 +57,7 @@ constexpr std::array<RulePoint, 7> sevenPoints{{{third, third, third, 0.225},
 template <typename Visit>
 void forEachPoint(const ConvexPart& polygon, std::span<const RulePoint> rule, const Visit& visit) {
   for (std::size_t k = 2; k < polygon.count; ++k) {
-    const TriangleCorners triangle{polygon.corners[0], polygon.corners[k - 1], polygon.corners[k]};
+    const std::array<glm::dvec3, 3> triangle{polygon.corners[0], polygon.corners[k - 1], polygon.corners[k]};
     const double area = glm::length(areaVector(triangle));
     for (const RulePoint& point : rule)
       visit(point.a * triangle[0] + point.b * triangle[1] + point.c * triangle[2], area * point.share);
@@ -86,7 +89,7 @@ double integralOverBoth(const ConvexPart& from, const glm::dvec3& fromNormal, co
 
 }  // namespace
 
-double quickFormFactor(const TriangleCorners& from, const TriangleCorners& to) {
+double quickFormFactor(std::span<const glm::dvec3> from, std::span<const glm::dvec3> to) {
   const glm::dvec3 fromArea = areaVector(from), toArea = areaVector(to);
   const double area = glm::length(fromArea);
   const glm::dvec3 fromNormal = fromArea / area, toNormal = glm::normalize(toArea);
@@ -97,7 +100,7 @@ double quickFormFactor(const TriangleCorners& from, const TriangleCorners& to) {
   const bool fromIsSmaller = fromRadius < toRadius;
   const double smaller = std::min(fromRadius, toRadius);
   const double gap = glm::distance(fromMiddle, toMiddle) - fromRadius - toRadius;
-  if (gap < smaller) return polygonToPolygon(from, to);
+  if (gap < smaller) return polygonToPolygon(from, to, {.relative = 1e-6, .absolute = 1e-10});
   if (gap > 6 * std::max(fromRadius, toRadius))
     return integralOverBoth(fromFront, fromNormal, toFront, toNormal) / area;
   const std::span<const RulePoint> rule =
@@ -107,12 +110,14 @@ double quickFormFactor(const TriangleCorners& from, const TriangleCorners& to) {
   return integral / area;
 }
 
-double quickFormFactor(const radiosity::Surface& from, const radiosity::Surface& to) {
-  double sum = 0;
-  for (const radiosity::Triangle& a : from.triangles)
-    for (const radiosity::Triangle& b : to.triangles)
-      sum += radiosity::area(a) * quickFormFactor(a.position, b.position);
-  return sum / radiosity::area(from);
+double quickFormFactor(const ConvexPolygons& from, const ConvexPolygons& to) {
+  double sum = 0, area = 0;
+  for (const std::vector<glm::dvec3>& a : from) {
+    const double areaOfA = glm::length(areaVector(a));
+    area += areaOfA;
+    for (const std::vector<glm::dvec3>& b : to) sum += areaOfA * quickFormFactor(a, b);
+  }
+  return sum / area;
 }
 
 }  // namespace hemitex::reference

@@ -28,7 +28,7 @@ double formFactor(const ShootingPiece& from, std::span<const SurfacePiece> eleme
   double sum = 0;
   for (const SurfacePiece& to : element)
     if (to.triangle != from.piece->triangle && areaOf(to) > minArea)
-      sum += polygonToPolygon(from.piece->corner, to.corner, maxError);
+      sum += polygonToPolygon(from.piece->corner, to.corner, {.absolute = maxError});
   return sum;
 }
 

@@ -47,7 +47,8 @@ struct Judged {
     for (std::uint32_t a = 0; a < scene.surfaces.size(); ++a) {
       area[mesh.facetOf[a]] = radiosity::area(scene.surfaces[a]);
       for (std::uint32_t b = 0; b < scene.surfaces.size(); ++b)
-        closed[mesh.facetOf[a]][mesh.facetOf[b]] = quickFormFactor(scene.surfaces[a], scene.surfaces[b]);
+        closed[mesh.facetOf[a]][mesh.facetOf[b]] =
+            quickFormFactor(convexPolygons(scene, scene.surfaces[a]), convexPolygons(scene, scene.surfaces[b]));
     }
   }
 
