@@ -19,6 +19,7 @@
 #include "radiosity/projection/projection_kinds.h"
 #include "reference/matrices/matrix_files.h"
 #include "reference/matrices/matrix_judge.h"
+#include "reference/matrices/measured_twice.h"
 #include "reference/rows/scene_rows.h"
 #include "reference/truth/closed_forms/polygon_to_polygon.h"
 
@@ -31,11 +32,15 @@ using reference::RowReceivers;
 using reference::SparseRow;
 using namespace py::literals;
 
-/// A name, or a tuple (name, column, row).
+/// A name, the number of a surface, or a tuple (name, column, row).
 reference::Source sourceOf(const Elements& elements, const py::object& source) {
+  if (py::isinstance<py::int_>(source) && !py::isinstance<py::bool_>(source)) {
+    const auto last = static_cast<std::int64_t>(elements.scene->surfaces.size()) - 1;
+    return {{static_cast<std::uint32_t>(integerOf(source, "source", 0, last))}};
+  }
   if (py::isinstance<py::str>(source)) return {radiosity::surfacesNamed(*elements.scene, textOf(source, "source"))};
   if (!py::isinstance<py::tuple>(source) || py::len(source) != 3)
-    throw InputError("`source` is neither a name nor (name, column, row)");
+    throw InputError("`source` is neither a name, the number of a surface nor (name, column, row)");
   const auto place = py::reinterpret_borrow<py::tuple>(source);
   return reference::texelSource(*elements.scene, elements.discretization, textOf(place[0], "source"),
                                 static_cast<int>(integerOf(place[1], "column", -1, 1 << 20)),
@@ -106,11 +111,19 @@ py::dict formFactorMatrix(const SharedElements& elements, const py::dict& given,
   reference::SparseMatrix matrix{.columns = count};
   std::vector<double> surroundings, backs, errors;
   bool hasErrors = false;
+  const bool isBounded = settings.number("max_error", 1e-9, 1).has_value();
   Progress told(std::move(progress));
   unlocked([&] {
+    std::vector<SparseRow> rows;
+    reference::MeasuredTwice measured(receivers.area);
     for (std::size_t from = 0; from < count; ++from) {
       told.tell(static_cast<double>(from) / static_cast<double>(count));
-      SparseRow row = families.surfaces[from].empty() ? SparseRow() : method.row({families.surfaces[from]});
+      rows.push_back(families.surfaces[from].empty() ? SparseRow() : method.row({families.surfaces[from]}));
+      if (isBounded) measured.add(rows.back());
+    }
+    for (std::size_t from = 0; from < count; ++from) {
+      SparseRow& row = rows[from];
+      if (isBounded) measured.widen(static_cast<std::uint32_t>(from), row);
       const OutsideShares outside = row.takeOutside(count);
       matrix.append(row);
       surroundings.push_back(outside.surroundings.value_or(0));

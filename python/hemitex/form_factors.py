@@ -16,8 +16,8 @@ from ._core import InputError
 from .rasterizers import Face, Rasterizer, _face, _factory
 from .scenes import Elements, Floats, Integers, Scene, _core_of, _elements, _numbers
 
-Source = Union[str, tuple[str, int, int]]
-"""The name of a surface or family, or (surface, column, row) of a texel."""
+Source = Union[str, int, tuple[str, int, int]]
+"""The name of a surface or family, the number of a surface or facet, or (surface, column, row) of a texel."""
 Method = Literal["hemicube", "single-plane", "tetrahedron", "rays", "analytic"]
 Told = Callable[[float], Any]
 """Takes the share of a call that is done, in [0, 1]."""
@@ -34,6 +34,11 @@ class FormFactorRow:
     captured: float | None  #: share that a projection captures; the rest counts as surroundings
     names: list[str] | None  #: of the receivers, if they are surfaces; None for elements
     elements: Elements
+
+    def __repr__(self) -> str:
+        receivers = "elements" if self.names is None else "surfaces"
+        return (f"<hemitex.FormFactorRow to {len(self.form_factor)} {receivers}, which receive "
+                f"{self.form_factor.sum():.4g} of the flux>")
 
     def to_xarray(self) -> Any:
         """An xarray.DataArray over `to`, the names or numbers of receivers."""
@@ -52,6 +57,9 @@ class FormFactorMatrix:
     area: Floats  #: (n,)
     error: Floats | None  #: (n,) estimate of the sum of absolute errors of each row, where the method has one
     names: list[str]  #: of rows and columns
+
+    def __repr__(self) -> str:
+        return f"<hemitex.FormFactorMatrix of {len(self.names)} rows with {self.matrix.nnz} entries>"
 
     @property
     def complete(self) -> scipy.sparse.csr_array:
@@ -277,6 +285,10 @@ def check_matrix(matrix: FormFactorMatrix | Any,
         rows_of = rows_of.copy()
     rows_of.sum_duplicates()
     facets = _elements(mesh)
+    count = len(facets.scene.names)
+    if rows_of.shape not in ((count, count), (count, count + 2)):
+        raise InputError(f"the matrix has the shape {rows_of.shape}, but the mesh has {count} facets; give a matrix of "
+                         f"({count}, {count}), or of ({count}, {count + 2}) with surroundings and backs")
     found = _core.check_matrix(_core_of(facets, Elements), rows_of.data, rows_of.indices, rows_of.indptr,
                                rows_of.shape[1], _settings(tolerance=tolerance, rows=rows, samples=samples))
     return MatrixVerdict(**found)

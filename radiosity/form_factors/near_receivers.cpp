@@ -23,6 +23,8 @@ constexpr std::size_t maxSmall = 1 << 13;
 constexpr double testedShare = nearShare / 16;
 /// An element is near a lamp up to this number of sizes of the part that a point shoots for.
 constexpr double nearSizes = 2;
+/// Parts of more triangles, as those of cut-outs, keep what was drawn: the time grows with the product of both numbers.
+constexpr std::size_t maxFaces = 128;
 /// Rays between an element and a patch.
 constexpr std::size_t raysOfLamp = 64, raysOfSmall = 32;
 
@@ -92,7 +94,7 @@ NearReceivers::NearReceivers(const Scene& scene, const Discretization& discretiz
 std::optional<FormFactorRow> NearReceivers::corrected(const Patch& patch, const FormFactorRow& row) {
   known_.set(patch.number, NearRows::State::Drawn);
   const SurfacePart part = partOf(scene_, discretization_, patch);
-  if (!(part.area > 0)) return std::nullopt;
+  if (!(part.area > 0) || part.faces.size() > maxFaces) return std::nullopt;
   std::vector<SurfacePart> shapes;
   for (const Instance& instance : scene_.instances) shapes.push_back(placed(part, instance));
   const std::vector<Candidate> candidates = this->candidates(patch, row, shapes);
@@ -129,7 +131,7 @@ std::vector<NearReceivers::Candidate> NearReceivers::candidates(const Patch& pat
     const bool mayBeNear = reach > 0 && distanceTo(shapes, ofSurfaces_[element.surface]) <= reach;
     if ((!isSmall && !mayBeNear) || std::binary_search(patch.elements.begin(), patch.elements.end(), number)) continue;
     const SurfacePart& part = partOfElement(number);
-    if (!(part.area > 0)) continue;
+    if (!(part.area > 0) || part.faces.size() > maxFaces) continue;
     const bool isNear = mayBeNear && distanceTo(shapes, part.bounds) <= reach;
     if (isSmall || isNear) result.push_back({i, &part, isNear ? 0 : nearShare});
   }

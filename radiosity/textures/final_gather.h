@@ -7,8 +7,9 @@
 ///
 /// where emission that is among the sources of DirectLight is left out of B_j. The first sum changes slowly. So texels
 /// are drawn on a coarse grid. A cell between four of them is interpolated if they are nearly equal, or if a fifth in
-/// its middle has the light between them; else it is divided into four. Direct light is computed at each texel, with
-/// few rays where all neighbours see all of a source or nothing of it.
+/// its middle has the light between them; else it is divided into four. Differences are shares of H. Direct light is
+/// computed at each texel, with few rays where all neighbours see all of a source or nothing of it, and where a source
+/// is weak.
 #pragma once
 
 #include <cstddef>

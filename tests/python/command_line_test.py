@@ -45,6 +45,15 @@ def test_form_factor_row_of_a_texel_equals_hemitex_formfactors() -> None:
     assert [str(row) for row in elements.row] == expected["row"]
 
 
+def test_a_source_may_be_the_number_of_a_facet() -> None:
+    scene = hx.load_scene(ROOM, facets=True)
+    by_name = hx.form_factor_row(scene, scene.names[2], by_surface=True)
+    assert np.array_equal(hx.form_factor_row(scene, 2, by_surface=True).form_factor, by_name.form_factor)
+    with pytest.raises(hx.InputError, match="source"):
+        hx.form_factor_row(scene, len(scene.names))
+    assert len(repr(by_name)) < 100
+
+
 @pytest.mark.parametrize("max_error", [None, 0.05])
 def test_form_factor_matrix_equals_hemitex_formfactors(tmp_path: Path, max_error: float | None) -> None:
     scene = hx.load_scene(ROOM, facets=True)
@@ -72,6 +81,8 @@ def test_check_matrix_equals_hemitex_matrix_check(tmp_path: Path) -> None:
     assert found.problems == expected["problems"] and found.problems
     assert found.fault == expected["fault"] and "transposed" in found.fault
     assert found.difference == expected["difference"]
+    with pytest.raises(hx.InputError, match="shape"):
+        hx.check_matrix(wrong[:-1], scene)
 
 
 def elements_of(folder: Path) -> dict[str, np.ndarray]:
