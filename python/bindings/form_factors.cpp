@@ -172,6 +172,9 @@ py::dict checkMatrix(const SharedElements& facets, const py::object& data, const
   const radiosity::Families families = familiesOf(*facets);
   const auto count = static_cast<std::int64_t>(families.names.size());
   const Array<double> values = numbers(data, "data", {-1});
+  if (py::isinstance<py::array>(indptr) && py::len(indptr) != static_cast<std::size_t>(count) + 1)
+    throw InputError("the matrix has " + std::to_string(static_cast<std::int64_t>(py::len(indptr)) - 1) +
+                     " rows, but the mesh has " + std::to_string(count) + " facets");
   const Array<std::int64_t> starts = integers(indptr, "indptr", {count + 1}, 0, values.shape[0]);
   reference::SparseMatrix matrix;
   matrix.columns = static_cast<std::uint64_t>(integerOf(columns, "columns", count, count + 2));

@@ -285,10 +285,6 @@ def check_matrix(matrix: FormFactorMatrix | Any,
         rows_of = rows_of.copy()
     rows_of.sum_duplicates()
     facets = _elements(mesh)
-    count = len(facets.scene.names)
-    if rows_of.shape not in ((count, count), (count, count + 2)):
-        raise InputError(f"the matrix has the shape {rows_of.shape}, but the mesh has {count} facets; give a matrix of "
-                         f"({count}, {count}), or of ({count}, {count + 2}) with surroundings and backs")
     found = _core.check_matrix(_core_of(facets, Elements), rows_of.data, rows_of.indices, rows_of.indptr,
                                rows_of.shape[1], _settings(tolerance=tolerance, rows=rows, samples=samples))
     return MatrixVerdict(**found)

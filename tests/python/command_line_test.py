@@ -81,7 +81,7 @@ def test_check_matrix_equals_hemitex_matrix_check(tmp_path: Path) -> None:
     assert found.problems == expected["problems"] and found.problems
     assert found.fault == expected["fault"] and "transposed" in found.fault
     assert found.difference == expected["difference"]
-    with pytest.raises(hx.InputError, match="shape"):
+    with pytest.raises(hx.InputError, match="rows, but the mesh has"):
         hx.check_matrix(wrong[:-1], scene)
 
 
