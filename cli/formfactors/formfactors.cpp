@@ -88,8 +88,9 @@ void addFormFactors(Command program, Context& context) {
       method, "--max-error", options->maxError, 1,
       "with --all --facets -o, bound the error of every row, which is the sum of the absolute errors of its form "
       "factors: hemicubes tell what is hidden, closed forms tell the rest (default: by the other options)");
-  method.addFlag("--insist", options->insist, "exit with code 1 if the estimated error of a row is above --max-error")
-      .needs(maxError);
+  method.addFlag("--insist", context.insists,
+                 "exit with code 1 if the estimated error of a row is above --max-error; run with more than 2^24 "
+                 "elements, or with more memory than is free (default: refuse, with the number)");
   addMethod(
       method, options->method, {"rays", "analytic"},
       "compute form factors with this projection, with rays or with closed forms (analytic), which ignore blockers "

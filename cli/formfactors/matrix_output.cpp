@@ -281,7 +281,7 @@ std::vector<std::size_t> rowsAbove(const std::vector<double>& errors, const Form
   context.console.warning(std::to_string(rows.size()) + " of " + std::to_string(errors.size()) +
                           " rows have an estimated error above --max-error " + roundedText(*options.maxError) +
                           ": at most " + roundedText(errors[worst]) + ", of " + names[worst]);
-  context.failed = context.failed || options.insist;
+  context.failed = context.failed || context.insists;
   return rows;
 }
 

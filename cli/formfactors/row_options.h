@@ -33,7 +33,6 @@ struct FormFactorOptions {
   bool smooth = false;
   bool facets = false;
   std::optional<double> maxError;
-  bool insist = false;           ///< a row with a larger error fails the command
   std::filesystem::path output;  ///< empty: standard output
   std::filesystem::path vtu;     ///< of the facets; empty: none
   std::vector<int> vtuRows;      ///< facets whose rows are in that file
