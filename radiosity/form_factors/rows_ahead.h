@@ -30,8 +30,8 @@ struct RowCounts {
 /// The part of rank 0, or of a process that is alone. With ranks call endTasks after the solution.
 class RowsAhead {
  public:
-  /// `ranks` is null if this process is alone. `budget` in bytes, for rows that have arrived and are not needed yet. The
-  /// arguments must outlive this object.
+  /// `ranks` is null if this process is alone. `budget` in bytes, for rows that have arrived and are not needed yet.
+  /// The arguments must outlive this object.
   RowsAhead(Messenger* ranks, SceneFormFactors& formFactors, std::size_t budget);
 
   /// Gives likely rows to ranks that have room for a task. Without ranks, draws the rows of likely shots if that of the

@@ -39,8 +39,8 @@ void forSomePixels(const TestVector& vector, std::size_t face, int count, const 
   // Odd steps, so that columns differ from row to row.
   const int step = std::max(1, pixels / count) | 1;
   for (int pixel = step / 2; pixel < pixels; pixel += step)
-    check(static_cast<std::size_t>(pixel), derivationAt(vector, face, scissor.column + pixel % scissor.width,
-                                                        scissor.row + pixel / scissor.width));
+    check(static_cast<std::size_t>(pixel),
+          derivationAt(vector, face, scissor.column + pixel % scissor.width, scissor.row + pixel / scissor.width));
 }
 
 /// Number of pixels of each kind in a test.
@@ -74,7 +74,8 @@ TEST_CASE("An explanation ends in the item ID of the renderer for clipped, mirro
       int wrong = 0;
       forSomePixels(vector, f, 24, [&](std::size_t pixel, const ordered_json& derivation) {
         const raster::ItemId background = raster::backgroundId(vector.list.format);
-        wrong += (derivation.is_null() ? background : derivation["word"].get<raster::ItemId>()) != expected[f].ids[pixel];
+        wrong +=
+            (derivation.is_null() ? background : derivation["word"].get<raster::ItemId>()) != expected[f].ids[pixel];
         met.background += derivation.is_null();
         if (!derivation.is_null()) count(vector.list, face, derivation, met);
       });
@@ -104,8 +105,7 @@ TEST_CASE("An explanation gives the numbers of stagesOf", "[derivation]") {
         CHECK(std::max(off.x, off.y) <= 0x1p-49);  // no coordinate here exceeds 1
         const glm::ivec2 none(-1), texel = stages.texels[pixel];
         CHECK(derivation["texel"].is_null() == (texel == none));
-        if (texel != none)
-          CHECK(glm::ivec2(derivation["texel"]["column"], derivation["texel"]["row"]) == texel);
+        if (texel != none) CHECK(glm::ivec2(derivation["texel"]["column"], derivation["texel"]["row"]) == texel);
 
         std::int64_t edges = 0;
         for (const ordered_json& edge : derivation["edges"]) edges += edge["value"].get<std::int64_t>();
