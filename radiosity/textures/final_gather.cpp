@@ -12,9 +12,9 @@
 #include "radiosity/geometry/distance_transform.h"
 #include "radiosity/spectra/colour.h"
 #include "radiosity/textures/direct_light.h"
+#include "radiosity/textures/lit_texels.h"
 #include "radiosity/textures/map_texels.h"
 #include "radiosity/textures/radiosity_texture.h"
-#include "radiosity/textures/texture_filter.h"
 #include "raster/base/parallel.h"
 #include "raster/base/pool.h"
 
@@ -31,99 +31,6 @@ constexpr std::size_t texelsPerCheck = 256;
 constexpr double mostBacks = 0.99;
 
 enum class State : std::uint8_t { Unknown, Drawn, Interpolated };
-
-/// The texels of the display texture of a surface.
-struct Texels {
-  int columns = 1, rows = 1;
-  std::vector<std::optional<LitPlace>> places;  ///< none where the surface has no exposed area
-  std::vector<State> states;
-  BandTable direct, seen;  ///< irradiance of each, from sources and from elements
-
-  double light(std::size_t texel) const { return bandSum(direct[texel]) + bandSum(seen[texel]); }
-
-  std::size_t at(int column, int row) const {
-    return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(column);
-  }
-};
-
-/// The side of a texel in space, for changes of the chart along u and along v.
-std::pair<glm::dvec3, glm::dvec3> sidesOf(const Triangle& triangle, const glm::dvec2& texels) {
-  const glm::dvec2 b = texels * (triangle.chart[1] - triangle.chart[0]),
-                   c = texels * (triangle.chart[2] - triangle.chart[0]);
-  const glm::dvec3 p = triangle.position[1] - triangle.position[0], q = triangle.position[2] - triangle.position[0];
-  const double determinant = b.x * c.y - b.y * c.x;
-  return {(c.y * p - b.y * q) / determinant, (b.x * q - c.x * p) / determinant};
-}
-
-/// Whether all triangles of a surface are in contact with one plane.
-bool isFlat(const Scene& scene, const Surface& surface) {
-  const glm::dvec3 n = normal(surface.triangles.front()), corner = surface.triangles.front().position[0];
-  for (const Triangle& triangle : surface.triangles)
-    for (const glm::dvec3& other : triangle.position)
-      if (std::abs(glm::dot(n, other - corner)) > contactTolerance(scene)) return false;
-  return true;
-}
-
-/// The place of a texel: the middle of its exposed part, and the whole texel if all of it is exposed and flat.
-std::optional<LitPlace> placeOf(const Surface& surface, const Grid& grid, std::uint32_t number, int column, int row,
-                                int magnification, bool isFlat) {
-  const double side = 1.0 / magnification;
-  const auto block = shootingBlock(surface, grid, glm::dvec2(column, row) * side, glm::dvec2(side));
-  if (!block) return std::nullopt;
-  LitPlace place{number, block->centre};
-  if (!isFlat) return place;
-  const auto [along1, along2] = sidesOf(surface.triangles[block->centre.triangle],
-                                        glm::dvec2(grid.columns, grid.rows) * static_cast<double>(magnification));
-  if (block->area >= 0.999 * glm::length(glm::cross(along1, along2))) {
-    place.along1 = along1;
-    place.along2 = along2;
-  }
-  return place;
-}
-
-/// The mean normals of the elements of curved surfaces, and 0 for others.
-std::vector<glm::dvec3> normalsOf(const Scene& scene, const Discretization& discretization) {
-  std::vector<glm::dvec3> normals(discretization.elements.size());
-  for (std::size_t s = 0; s < scene.surfaces.size(); ++s) {
-    if (!scene.surfaces[s].curvedPart) continue;
-    const std::vector<glm::dvec3> means = meanNormals(scene.surfaces[s], discretization.grids[s]);
-    std::copy(means.begin(), means.end(), normals.begin() + discretization.grids[s].firstElement);
-  }
-  return normals;
-}
-
-/// Gives the texels of a curved surface the filtered normals of its elements.
-void smoothNormals(const Scene& scene, const Discretization& discretization, const std::vector<glm::dvec3>& normals,
-                   std::uint32_t surface, int magnification, Texels& texels) {
-  const Grid& grid = discretization.grids[surface];
-  const TextureFilter filter = grid.quadtree ? TextureFilter::OneToOne : TextureFilter::Bicubic;
-  const std::vector<glm::dvec3> filtered =
-      filteredTexels(scene, discretization, surface, normals, filter, magnification);
-  for (std::size_t i = 0; i < filtered.size(); ++i)
-    if (texels.places[i] && glm::dot(filtered[i], texels.places[i]->point.normal) > 0)
-      texels.places[i]->point.normal = glm::normalize(filtered[i]);
-}
-
-/// `normals` are normalsOf the scene.
-Texels texelsOf(const Scene& scene, const Discretization& discretization, const std::vector<glm::dvec3>& normals,
-                std::uint32_t surface, int magnification) {
-  const Grid& grid = discretization.grids[surface];
-  Texels texels;
-  texels.columns = grid.columns * magnification;
-  texels.rows = grid.rows * magnification;
-  const std::size_t count = static_cast<std::size_t>(texels.columns) * static_cast<std::size_t>(texels.rows);
-  texels.places.resize(count);
-  texels.states.resize(count);
-  texels.direct = texels.seen = BandTable(count, bandCount(scene));
-  const bool isPlane = isFlat(scene, scene.surfaces[surface]);
-  raster::parallelFor(static_cast<std::size_t>(texels.rows), [&](std::size_t row) {
-    for (int column = 0; column < texels.columns; ++column)
-      texels.places[texels.at(column, static_cast<int>(row))] =
-          placeOf(scene.surfaces[surface], grid, surface, column, static_cast<int>(row), magnification, isPlane);
-  });
-  if (scene.surfaces[surface].curvedPart) smoothNormals(scene, discretization, normals, surface, magnification, texels);
-  return texels;
-}
 
 /// A square of texels between four that are drawn; smaller at the end of a surface.
 struct Cell {
@@ -195,18 +102,20 @@ class SeenElements {
 /// Light that texels see in elements: draws some of them and interpolates the others.
 class Interpolation {
  public:
-  Interpolation(SeenElements& seen, std::vector<Texels>& all, const GatherSettings& settings)
-      : seen_(seen), all_(all), settings_(settings) {}
+  Interpolation(SeenElements& seen, std::vector<LitTexels>& all, const GatherSettings& settings)
+      : seen_(seen), all_(all), settings_(settings) {
+    for (const LitTexels& texels : all) states_.emplace_back(texels.places.size());
+  }
 
   void run(const std::function<void(double)>& progress) {
     std::vector<Cell> cells = largestCells();
     for (double done = 0; !cells.empty(); done = 0.5 * (1 + done)) {
       if (progress) progress(done);
-      draw(unknownIn(cells, [](const Texels& texels, const Cell& cell) { return cornersOf(texels, cell); }));
+      draw(unknownIn(cells, [](const LitTexels& texels, const Cell& cell) { return cornersOf(texels, cell); }));
       std::vector<Cell> uneven, divided;
       for (const Cell& cell : cells)
         if (!cell.isTexels() && !settleByCorners(cell)) uneven.push_back(cell);
-      draw(unknownIn(uneven, [this](const Texels& texels, const Cell& cell) {
+      draw(unknownIn(uneven, [this](const LitTexels& texels, const Cell& cell) {
         return spreadOf(cell) <= mostSpread ? std::vector{texels.at(cell.middleColumn(), cell.middleRow())}
                                             : std::vector<std::size_t>();
       }));
@@ -234,7 +143,7 @@ class Interpolation {
     return cells;
   }
 
-  static std::array<std::size_t, 4> cornersOf(const Texels& texels, const Cell& cell) {
+  static std::array<std::size_t, 4> cornersOf(const LitTexels& texels, const Cell& cell) {
     return {texels.at(cell.column, cell.row), texels.at(cell.right, cell.row), texels.at(cell.column, cell.top),
             texels.at(cell.right, cell.top)};
   }
@@ -244,10 +153,11 @@ class Interpolation {
   std::vector<TexelNumber> unknownIn(const std::vector<Cell>& cells, const TexelsOfCell& texelsOf) {
     std::vector<TexelNumber> unknown;
     for (const Cell& cell : cells) {
-      Texels& texels = all_[cell.surface];
+      const LitTexels& texels = all_[cell.surface];
       for (const std::size_t texel : texelsOf(texels, cell)) {
-        if (!texels.places[texel] || texels.states[texel] == State::Drawn) continue;
-        texels.states[texel] = State::Drawn;
+        State& state = states_[cell.surface][texel];
+        if (!texels.places[texel] || state == State::Drawn) continue;
+        state = State::Drawn;
         unknown.push_back({cell.surface, texel});
       }
     }
@@ -257,12 +167,14 @@ class Interpolation {
   void draw(const std::vector<TexelNumber>& numbers) {
     drawn_ += numbers.size();
     raster::parallelFor(numbers.size(), [&](std::size_t i) {
-      Texels& texels = all_[numbers[i].surface];
+      LitTexels& texels = all_[numbers[i].surface];
       std::optional<LitPlace>& place = texels.places[numbers[i].texel];
-      if (const auto light = seen_.irradiance(*place))
+      if (const auto light = seen_.irradiance(*place)) {
         set(texels.seen[numbers[i].texel], *light);
-      else
+      } else {
         place.reset();
+        set(texels.direct[numbers[i].texel], Bands(texels.direct.bands));
+      }
     });
   }
 
@@ -278,7 +190,7 @@ class Interpolation {
 
   /// The difference of the corners of a cell over the mean of all their light; infinite if one has no area.
   double spreadOf(const Cell& cell) const {
-    const Texels& texels = all_[cell.surface];
+    const LitTexels& texels = all_[cell.surface];
     double least = std::numeric_limits<double>::infinity(), most = 0, sum = 0;
     for (const std::size_t texel : cornersOf(texels, cell)) {
       if (!texels.places[texel]) return std::numeric_limits<double>::infinity();
@@ -299,7 +211,7 @@ class Interpolation {
 
   /// Interpolates a cell if its middle has about the light between the corners; returns whether.
   bool settleByMiddle(const Cell& cell) {
-    const Texels& texels = all_[cell.surface];
+    const LitTexels& texels = all_[cell.surface];
     const std::size_t middle = texels.at(cell.middleColumn(), cell.middleRow());
     if (!texels.places[middle]) return false;
     Bands more(texels.seen[middle].begin(), texels.seen[middle].end());
@@ -309,7 +221,7 @@ class Interpolation {
     return true;
   }
 
-  Bands interpolated(const Texels& texels, const Cell& cell, int column, int row) const {
+  Bands interpolated(const LitTexels& texels, const Cell& cell, int column, int row) const {
     const glm::dvec2 at = placeIn(cell, column, row);
     const std::array<double, 4> weights{(1 - at.x) * (1 - at.y), at.x * (1 - at.y), (1 - at.x) * at.y, at.x * at.y};
     const std::array<std::size_t, 4> corners = cornersOf(texels, cell);
@@ -326,7 +238,7 @@ class Interpolation {
 
   /// Between the corners of a cell and its middle, which has `more` light than they have there.
   void interpolate(const Cell& cell, const Bands& more) {
-    Texels& texels = all_[cell.surface];
+    LitTexels& texels = all_[cell.surface];
     const auto hat = [](double x, double middle) {
       return middle <= 0 || middle >= 1 ? 1 : std::min(x / middle, (1 - x) / (1 - middle));
     };
@@ -334,10 +246,10 @@ class Interpolation {
     for (int row = cell.row; row <= cell.top; ++row)
       for (int column = cell.column; column <= cell.right; ++column) {
         const std::size_t texel = texels.at(column, row);
-        if (texels.states[texel] == State::Drawn || !texels.places[texel]) continue;
-        if (texels.states[texel] == State::Unknown && interpolated_++ % texelsPerCheck == 0)
-          checks_.push_back({cell.surface, texel});
-        texels.states[texel] = State::Interpolated;
+        State& state = states_[cell.surface][texel];
+        if (state == State::Drawn || !texels.places[texel]) continue;
+        if (state == State::Unknown && interpolated_++ % texelsPerCheck == 0) checks_.push_back({cell.surface, texel});
+        state = State::Interpolated;
         const glm::dvec2 at = placeIn(cell, column, row);
         Bands light = interpolated(texels, cell, column, row);
         addTo(light, more, hat(at.x, middle.x) * hat(at.y, middle.y));
@@ -349,7 +261,7 @@ class Interpolation {
   void measure() {
     std::vector<double> squares(checks_.size());
     raster::parallelFor(checks_.size(), [&](std::size_t i) {
-      const Texels& texels = all_[checks_[i].surface];
+      const LitTexels& texels = all_[checks_[i].surface];
       const double seen = bandSum(seen_.irradiance(*texels.places[checks_[i].texel]).value_or(Bands()));
       const double difference = bandSum(texels.seen[checks_[i].texel]) - seen;
       const double light = bandSum(texels.direct[checks_[i].texel]) + seen;
@@ -360,108 +272,18 @@ class Interpolation {
   }
 
   SeenElements& seen_;
-  std::vector<Texels>& all_;
+  std::vector<LitTexels>& all_;
   const GatherSettings& settings_;
+  std::vector<std::vector<State>> states_;  ///< of the texels of each surface
   std::size_t drawn_ = 0, interpolated_ = 0;
   std::vector<TexelNumber> checks_;
   double squares_ = 0;
 };
 
-/// A source is weak at texels whose light it raises by no more than this share.
-constexpr double weakLight = 0.02;
-
-/// The light of one source at the texels of a surface.
-class SourceTexels {
- public:
-  SourceTexels(const DirectLight& direct, std::size_t source, Texels& texels)
-      : direct_(direct),
-        source_(source),
-        texels_(texels),
-        factors_(texels.places.size()),
-        shares_(texels.places.size(), behind) {}
-
-  void add() {
-    raster::parallelFor(static_cast<std::size_t>((texels_.rows + block - 1) / block), [&](std::size_t row) {
-      for (int column = 0; column < texels_.columns; column += block) probeBlock(column, static_cast<int>(row) * block);
-    });
-    raster::parallelFor(static_cast<std::size_t>(texels_.rows), [&](std::size_t row) {
-      for (int column = 0; column < texels_.columns; ++column) addAt(column, static_cast<int>(row));
-    });
-  }
-
- private:
-  static constexpr float behind = -1;  ///< the share of a source behind the horizon
-  static constexpr int block = 8;      ///< texels along the side
-
-  bool isWeakAt(std::size_t texel) const {
-    return factors_[texel] * bandSum(direct_.light(source_)) <= weakLight * bandSum(texels_.direct[texel]);
-  }
-
-  /// Where the source is weak, the corners and the middle of a block stand for all of it if they see all of the source,
-  /// or all see nothing.
-  void probeBlock(int left, int low) {
-    const int right = std::min(left + block, texels_.columns) - 1, top = std::min(low + block, texels_.rows) - 1;
-    std::vector<std::size_t> lit;
-    for (int row = low; row <= top; ++row)
-      for (int column = left; column <= right; ++column) {
-        const std::size_t texel = texels_.at(column, row);
-        if (texels_.places[texel]) factors_[texel] = direct_.factor(source_, texels_.places[texel]->point);
-        if (factors_[texel] > 0) lit.push_back(texel);
-      }
-    bool isEven = std::all_of(lit.begin(), lit.end(), [this](std::size_t texel) { return isWeakAt(texel); });
-    if (isEven) {
-      std::optional<float> common;
-      for (const std::size_t texel : {texels_.at(left, low), texels_.at(right, low), texels_.at(left, top),
-                                      texels_.at(right, top), texels_.at((left + right) / 2, (low + top) / 2)})
-        if (const float share = probe(texel); share != behind) {
-          isEven = isEven && (share == 0 || share == 1) && share == common.value_or(share);
-          common = share;
-        }
-      isEven = isEven && common;
-      if (isEven)
-        for (const std::size_t texel : lit) shares_[texel] = *common;
-    }
-    if (!isEven)
-      for (const std::size_t texel : lit) probe(texel);
-  }
-
-  float probe(std::size_t texel) {
-    if (shares_[texel] == behind && factors_[texel] > 0)
-      shares_[texel] = static_cast<float>(direct_.probedShare(source_, *texels_.places[texel]));
-    return shares_[texel];
-  }
-
-  /// Whether the source is seen in part at a texel, or in another way than at a neighbour.
-  bool isUneven(int column, int row) const {
-    const float share = shares_[texels_.at(column, row)];
-    if (share > 0 && share < 1) return true;
-    for (int y = std::max(row - 1, 0); y <= std::min(row + 1, texels_.rows - 1); ++y)
-      for (int x = std::max(column - 1, 0); x <= std::min(column + 1, texels_.columns - 1); ++x)
-        if (const float other = shares_[texels_.at(x, y)]; other != behind && other != share) return true;
-    return false;
-  }
-
-  void addAt(int column, int row) {
-    constexpr std::uint32_t fewRays = DirectLight::maxRays / 8;
-    const std::size_t texel = texels_.at(column, row);
-    if (shares_[texel] == behind) return;
-    const double share = isUneven(column, row) ? direct_.visibleShare(source_, *texels_.places[texel],
-                                                                      isWeakAt(texel) ? fewRays : DirectLight::maxRays)
-                                               : double{shares_[texel]};
-    addTo(texels_.direct[texel], direct_.light(source_), factors_[texel] * share);
-  }
-
-  const DirectLight& direct_;
-  std::size_t source_;
-  Texels& texels_;
-  std::vector<double> factors_;
-  std::vector<float> shares_;  ///< in [0, 1], or `behind`
-};
-
 /// The light of texels in colours; those without area have that of the nearest one with area.
 std::vector<glm::dvec3> coloursOf(const Scene& scene, const Discretization& discretization,
                                   const ElementMaterials& materials, std::uint32_t surface, int magnification,
-                                  const Texels& texels) {
+                                  const LitTexels& texels) {
   const BandColours colours(scene.wavelengths);
   const Grid& grid = discretization.grids[surface];
   std::vector<glm::dvec3> result(texels.places.size());
@@ -500,16 +322,9 @@ struct Gathering {
 };
 
 /// The texels of all surfaces with their light from elements and sources. Adds to the counts of `result`.
-std::vector<Texels> litTexels(const Gathering& of, SeenElements& seen, const Magnifications& magnifications,
-                              const std::function<void(double)>& progress, GatheredLight& result) {
-  const std::vector<glm::dvec3> normals = normalsOf(of.scene, of.discretization);
-  std::vector<Texels> all(of.scene.surfaces.size());
-  raster::parallelFor(all.size(), [&](std::size_t s) {
-    all[s] = texelsOf(of.scene, of.discretization, normals, static_cast<std::uint32_t>(s), magnifications[s]);
-  });
-  raster::parallelFor(all.size(), [&](std::size_t s) {
-    for (std::size_t source = 0; source < of.direct.count(); ++source) SourceTexels(of.direct, source, all[s]).add();
-  });
+std::vector<LitTexels> litTexels(const Gathering& of, SeenElements& seen, const Magnifications& magnifications,
+                                 const std::function<void(double)>& progress, GatheredLight& result) {
+  std::vector<LitTexels> all = directlyLitTexels(of.scene, of.discretization, magnifications, of.direct);
   Interpolation interpolation(seen, all, of.settings);
   interpolation.run(progress);
   result.drawn += interpolation.drawn();
@@ -545,7 +360,7 @@ Discretization dividedFiner(const Gathering& of, const Magnifications& finer) {
 }
 
 /// The radiosity of finer elements, one per texel of `all`, without the emission of sources.
-BandTable radiosityOf(const Gathering& of, const Discretization& finer, const std::vector<Texels>& all) {
+BandTable radiosityOf(const Gathering& of, const Discretization& finer, const std::vector<LitTexels>& all) {
   const ElementMaterials materials(of.scene, finer);
   BandTable table(finer.elements.size(), materials.bands());
   for (std::uint32_t e = 0; e < table.size(); ++e) {
@@ -573,7 +388,7 @@ GatheredLight gather(const Scene& scene, const Discretization& discretization, c
   SeenElements seen(scene, discretization, layout, radiosityOf(scene, discretization, solution, direct),
                     settings.resolution);
   const Magnifications finer = finerElements(of, magnifications);
-  std::vector<Texels> all;
+  std::vector<LitTexels> all;
   if (std::all_of(finer.begin(), finer.end(), [](int m) { return m == 1; })) {
     all = litTexels(of, seen, magnifications, progress, result);
   } else {
@@ -589,7 +404,7 @@ GatheredLight gather(const Scene& scene, const Discretization& discretization, c
     result.irradiance[s] =
         coloursOf(scene, discretization, materials, static_cast<std::uint32_t>(s), magnifications[s], all[s]);
   });
-  for (const Texels& texels : all)
+  for (const LitTexels& texels : all)
     result.texels += static_cast<std::size_t>(
         std::count_if(texels.places.begin(), texels.places.end(), [](const auto& place) { return place.has_value(); }));
   return result;

@@ -1,0 +1,196 @@
+#include "radiosity/textures/lit_texels.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "radiosity/discretization/patch_points.h"
+#include "radiosity/textures/texture_filter.h"
+#include "raster/base/parallel.h"
+
+namespace hemitex::radiosity {
+namespace {
+
+/// The side of a texel in space, for changes of the chart along u and along v.
+std::pair<glm::dvec3, glm::dvec3> sidesOf(const Triangle& triangle, const glm::dvec2& texels) {
+  const glm::dvec2 b = texels * (triangle.chart[1] - triangle.chart[0]),
+                   c = texels * (triangle.chart[2] - triangle.chart[0]);
+  const glm::dvec3 p = triangle.position[1] - triangle.position[0], q = triangle.position[2] - triangle.position[0];
+  const double determinant = b.x * c.y - b.y * c.x;
+  return {(c.y * p - b.y * q) / determinant, (b.x * q - c.x * p) / determinant};
+}
+
+/// Whether all triangles of a surface are in contact with one plane.
+bool isFlat(const Scene& scene, const Surface& surface) {
+  const glm::dvec3 n = normal(surface.triangles.front()), corner = surface.triangles.front().position[0];
+  for (const Triangle& triangle : surface.triangles)
+    for (const glm::dvec3& other : triangle.position)
+      if (std::abs(glm::dot(n, other - corner)) > contactTolerance(scene)) return false;
+  return true;
+}
+
+/// The place of a texel: the middle of its exposed part, and the whole texel if all of it is exposed and flat.
+std::optional<LitPlace> placeOf(const Surface& surface, const Grid& grid, std::uint32_t number, int column, int row,
+                                int magnification, bool isFlat) {
+  const double side = 1.0 / magnification;
+  const auto block = shootingBlock(surface, grid, glm::dvec2(column, row) * side, glm::dvec2(side));
+  if (!block) return std::nullopt;
+  LitPlace place{number, block->centre};
+  if (!isFlat) return place;
+  const auto [along1, along2] = sidesOf(surface.triangles[block->centre.triangle],
+                                        glm::dvec2(grid.columns, grid.rows) * static_cast<double>(magnification));
+  if (block->area >= 0.999 * glm::length(glm::cross(along1, along2))) {
+    place.along1 = along1;
+    place.along2 = along2;
+  }
+  return place;
+}
+
+/// The mean normals of the elements of curved surfaces, and 0 for others.
+std::vector<glm::dvec3> normalsOf(const Scene& scene, const Discretization& discretization) {
+  std::vector<glm::dvec3> normals(discretization.elements.size());
+  for (std::size_t s = 0; s < scene.surfaces.size(); ++s) {
+    if (!scene.surfaces[s].curvedPart) continue;
+    const std::vector<glm::dvec3> means = meanNormals(scene.surfaces[s], discretization.grids[s]);
+    std::copy(means.begin(), means.end(), normals.begin() + discretization.grids[s].firstElement);
+  }
+  return normals;
+}
+
+/// Gives the texels of a curved surface the filtered normals of its elements.
+void smoothNormals(const Scene& scene, const Discretization& discretization, const std::vector<glm::dvec3>& normals,
+                   std::uint32_t surface, int magnification, LitTexels& texels) {
+  const Grid& grid = discretization.grids[surface];
+  const TextureFilter filter = grid.quadtree ? TextureFilter::OneToOne : TextureFilter::Bicubic;
+  const std::vector<glm::dvec3> filtered =
+      filteredTexels(scene, discretization, surface, normals, filter, magnification);
+  for (std::size_t i = 0; i < filtered.size(); ++i)
+    if (texels.places[i] && glm::dot(filtered[i], texels.places[i]->point.normal) > 0)
+      texels.places[i]->point.normal = glm::normalize(filtered[i]);
+}
+
+/// `normals` are normalsOf the scene.
+LitTexels texelsOf(const Scene& scene, const Discretization& discretization, const std::vector<glm::dvec3>& normals,
+                   std::uint32_t surface, int magnification) {
+  const Grid& grid = discretization.grids[surface];
+  LitTexels texels;
+  texels.columns = grid.columns * magnification;
+  texels.rows = grid.rows * magnification;
+  const std::size_t count = static_cast<std::size_t>(texels.columns) * static_cast<std::size_t>(texels.rows);
+  texels.places.resize(count);
+  texels.direct = texels.seen = BandTable(count, bandCount(scene));
+  const bool isPlane = isFlat(scene, scene.surfaces[surface]);
+  raster::parallelFor(static_cast<std::size_t>(texels.rows), [&](std::size_t row) {
+    for (int column = 0; column < texels.columns; ++column)
+      texels.places[texels.at(column, static_cast<int>(row))] =
+          placeOf(scene.surfaces[surface], grid, surface, column, static_cast<int>(row), magnification, isPlane);
+  });
+  if (scene.surfaces[surface].curvedPart) smoothNormals(scene, discretization, normals, surface, magnification, texels);
+  return texels;
+}
+
+/// A source is weak at texels where it raises the light of the sources before it by no more than this share.
+constexpr double weakLight = 0.02;
+
+/// The light of one source at the texels of a surface.
+class SourceTexels {
+ public:
+  SourceTexels(const DirectLight& direct, std::size_t source, LitTexels& texels)
+      : direct_(direct),
+        source_(source),
+        texels_(texels),
+        factors_(texels.places.size()),
+        shares_(texels.places.size(), behind) {}
+
+  void add() {
+    raster::parallelFor(static_cast<std::size_t>((texels_.rows + block - 1) / block), [&](std::size_t row) {
+      for (int column = 0; column < texels_.columns; column += block) probeBlock(column, static_cast<int>(row) * block);
+    });
+    raster::parallelFor(static_cast<std::size_t>(texels_.rows), [&](std::size_t row) {
+      for (int column = 0; column < texels_.columns; ++column) addAt(column, static_cast<int>(row));
+    });
+  }
+
+ private:
+  static constexpr float behind = -1;  ///< the share of a source behind the horizon
+  static constexpr int block = 8;      ///< texels along the side
+
+  bool isWeakAt(std::size_t texel) const {
+    return factors_[texel] * bandSum(direct_.light(source_)) <= weakLight * bandSum(texels_.direct[texel]);
+  }
+
+  /// Where the source is weak, the corners and the middle of a block stand for all of it if they see all of the source,
+  /// or all see nothing.
+  void probeBlock(int left, int low) {
+    const int right = std::min(left + block, texels_.columns) - 1, top = std::min(low + block, texels_.rows) - 1;
+    std::vector<std::size_t> lit;
+    for (int row = low; row <= top; ++row)
+      for (int column = left; column <= right; ++column) {
+        const std::size_t texel = texels_.at(column, row);
+        if (texels_.places[texel]) factors_[texel] = direct_.factor(source_, texels_.places[texel]->point);
+        if (factors_[texel] > 0) lit.push_back(texel);
+      }
+    bool isEven = std::all_of(lit.begin(), lit.end(), [this](std::size_t texel) { return isWeakAt(texel); });
+    if (isEven) {
+      std::optional<float> common;
+      for (const std::size_t texel : {texels_.at(left, low), texels_.at(right, low), texels_.at(left, top),
+                                      texels_.at(right, top), texels_.at((left + right) / 2, (low + top) / 2)})
+        if (const float share = probe(texel); share != behind) {
+          isEven = isEven && (share == 0 || share == 1) && share == common.value_or(share);
+          common = share;
+        }
+      isEven = isEven && common;
+      if (isEven)
+        for (const std::size_t texel : lit) shares_[texel] = *common;
+    }
+    if (!isEven)
+      for (const std::size_t texel : lit) probe(texel);
+  }
+
+  float probe(std::size_t texel) {
+    if (shares_[texel] == behind && factors_[texel] > 0)
+      shares_[texel] = static_cast<float>(direct_.probedShare(source_, *texels_.places[texel]));
+    return shares_[texel];
+  }
+
+  /// Whether the source is seen in part at a texel, or in another way than at a neighbour.
+  bool isUneven(int column, int row) const {
+    const float share = shares_[texels_.at(column, row)];
+    if (share > 0 && share < 1) return true;
+    for (int y = std::max(row - 1, 0); y <= std::min(row + 1, texels_.rows - 1); ++y)
+      for (int x = std::max(column - 1, 0); x <= std::min(column + 1, texels_.columns - 1); ++x)
+        if (const float other = shares_[texels_.at(x, y)]; other != behind && other != share) return true;
+    return false;
+  }
+
+  void addAt(int column, int row) {
+    constexpr std::uint32_t fewRays = DirectLight::maxRays / 8;
+    const std::size_t texel = texels_.at(column, row);
+    if (shares_[texel] == behind) return;
+    const double share = isUneven(column, row) ? direct_.visibleShare(source_, *texels_.places[texel],
+                                                                      isWeakAt(texel) ? fewRays : DirectLight::maxRays)
+                                               : double{shares_[texel]};
+    addTo(texels_.direct[texel], direct_.light(source_), factors_[texel] * share);
+  }
+
+  const DirectLight& direct_;
+  std::size_t source_;
+  LitTexels& texels_;
+  std::vector<double> factors_;
+  std::vector<float> shares_;  ///< in [0, 1], or `behind`
+};
+
+}  // namespace
+
+std::vector<LitTexels> directlyLitTexels(const Scene& scene, const Discretization& discretization,
+                                         std::span<const int> magnifications, const DirectLight& direct) {
+  const std::vector<glm::dvec3> normals = normalsOf(scene, discretization);
+  std::vector<LitTexels> all(scene.surfaces.size());
+  raster::parallelFor(all.size(), [&](std::size_t s) {
+    all[s] = texelsOf(scene, discretization, normals, static_cast<std::uint32_t>(s), magnifications[s]);
+    for (std::size_t source = 0; source < direct.count(); ++source) SourceTexels(direct, source, all[s]).add();
+  });
+  return all;
+}
+
+}  // namespace hemitex::radiosity
