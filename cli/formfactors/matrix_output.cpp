@@ -280,7 +280,7 @@ std::vector<std::size_t> rowsAbove(const std::vector<double>& errors, const Form
   const auto worst = static_cast<std::size_t>(std::max_element(errors.begin(), errors.end()) - errors.begin());
   context.console.warning(std::to_string(rows.size()) + " of " + std::to_string(errors.size()) +
                           " rows have an estimated error above --max-error " + roundedText(*options.maxError) +
-                          ": at most " + roundedText(errors[worst]) + ", of " + names[worst]);
+                          ": at most " + roundedText(errors[worst]) + ", in row " + names[worst]);
   context.failed = context.failed || context.insists;
   return rows;
 }

@@ -20,8 +20,7 @@ struct ImageSamples {
 };
 
 /// Receives the rows of an image from the top, some at a time, and none at the first call; `height` is that of the
-/// whole image. There are 1 or 3 channels and then alpha, if the
-/// file has it; further ones are left out.
+/// whole image. There are 1 or 3 channels, and then alpha if the file has it; further ones are left out.
 using RowReceiver = std::function<void(const ImageSamples& rows, int height)>;
 
 /// Why an image was not read or written, and what to do about it; both are empty when it was.

@@ -71,7 +71,7 @@ class MapImages {
   /// The holes of a map_d: pixels with alpha below 0.5, or of an image without alpha, with a mean code below half of
   /// white. Nothing without holes, or with a warning as above.
   std::shared_ptr<const CutOut> cutOut(const MapStatement& map, const Definition& definition) {
-    const std::optional<int> number = whole(map, definition);
+    const std::optional<int> number = whole(map, definition, "");
     if (!number) {
       set_.warnings.push_back("material '" + raster::excerpt(definition.statement.name) +
                               "': without the image of its map_d it is opaque");
@@ -89,11 +89,12 @@ class MapImages {
   bool hasAlpha(int image) const { return !imageAt(image).alpha.empty(); }
 
  private:
-  /// The image as it is in its file.
-  std::optional<int> whole(const MapStatement& map, const Definition& definition) {
+  /// The image as it is in its file; `otherwise` ends the warning if there is none.
+  std::optional<int> whole(const MapStatement& map, const Definition& definition,
+                           const std::string& otherwise = "; 0.5 stands for it") {
     const std::string owner = "material '" + raster::excerpt(definition.statement.name) + "': ";
     if (map.image.empty()) {
-      set_.warnings.push_back(owner + "a map names no image; 0.5 stands for it");
+      set_.warnings.push_back(owner + "a map names no image" + otherwise);
       return {};
     }
     if (!map.omitted.empty())
@@ -102,7 +103,7 @@ class MapImages {
                                 file = namedFile(folder, map.image).value_or(folder / map.image);
     std::error_code ignored;
     const auto [known, isNew] = read_.try_emplace(std::filesystem::weakly_canonical(file, ignored));
-    if (isNew) known->second = read(file);
+    if (isNew) known->second = read(file, otherwise);
     return known->second;
   }
 
@@ -128,7 +129,7 @@ class MapImages {
 
   const Image& imageAt(int index) const { return set_.images[static_cast<std::size_t>(index)]; }
 
-  std::optional<int> read(const std::filesystem::path& file) {
+  std::optional<int> read(const std::filesystem::path& file, const std::string& otherwise) {
     Image image;
     try {
       image = readImage(file);
@@ -136,7 +137,7 @@ class MapImages {
     } catch (const raster::SizeError&) {
       throw;
     } catch (const raster::InputError& error) {
-      set_.warnings.push_back(std::string(error.what()) + "; 0.5 stands for it");
+      set_.warnings.push_back(error.what() + otherwise);
       return {};
     }
     if (anyValue(image, [](double value) { return value < 0; })) fail({file}, "a map with negative values");

@@ -1,6 +1,6 @@
 /// Both measurements of an exchange, A_i F_ij and A_j F_ji, as part of the estimated error of both. Each estimate comes
-/// from its own row. So where the two are farther apart than both errors together, an estimate is too small, and nobody
-/// knows which one.
+/// from its own row. If the two measurements differ by more than the sum of their errors, one of the estimates is too
+/// small. Either may be, so that both are raised.
 #pragma once
 
 #include <cstddef>

@@ -42,8 +42,7 @@ struct SmoothingMoves {
 class MatrixSmoother {
  public:
   /// One area per facet, above 0 for facets with entries. Columns behind those of the facets belong to one row alone
-  /// each.
-  /// No entry moves by more than `limit` times its error; errors that are standard errors need more than 1.
+  /// each. No entry moves by more than `limit` times its error; errors that are standard errors need more than 1.
   explicit MatrixSmoother(std::vector<double> area, double limit = 1);
 
   /// Adds the next row. Values below 0, which are errors, count as 0. Either all rows have errors, or none.

@@ -384,8 +384,8 @@ class FacetFormFactors::Worker {
   }
 
   /// Changes the shares so that all sum to 1: each in proportion to the square of its error, between 0 and the most
-  /// that it may be. What is left then goes outside, or all change by one factor. No error is
-  /// below the change. The sum tells surroundings and backs better than pixels where other errors are small.
+  /// that it may be. What is left then goes outside, or all change by one factor. No error is below the change. The sum
+  /// tells surroundings and backs better than pixels where other errors are small.
   static void close(std::vector<Share>& shares) {
     std::vector<double> before;
     double deviations = 0;

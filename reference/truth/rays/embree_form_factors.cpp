@@ -113,12 +113,14 @@ void passBacksAndHoles(const RTCFilterFunctionNArguments* arguments) {
   const auto* triangles = static_cast<const SceneTriangle*>(arguments->geometryUserPtr);
   const unsigned count = arguments->N;
   for (unsigned i = 0; i < count; ++i) {
+    if (arguments->valid[i] == 0) continue;
     const SceneTriangle& triangle = triangles[RTCHitN_primID(arguments->hit, count, i)];
     const glm::dvec2 weights(RTCHitN_u(arguments->hit, count, i), RTCHitN_v(arguments->hit, count, i));
-    const bool isPassed =
-        triangle.holed && radiosity::isHole(*triangle.holed->cutOut, triangle.holed->triangle, weights);
-    if (arguments->valid[i] != 0 && isPassed) arguments->valid[i] = 0;
-    if (arguments->valid[i] == 0 || !triangle.isBacked) continue;
+    if (triangle.holed && radiosity::isHole(*triangle.holed->cutOut, triangle.holed->triangle, weights)) {
+      arguments->valid[i] = 0;
+      continue;
+    }
+    if (!triangle.isBacked) continue;
     const float along = RTCRayN_dir_x(arguments->ray, count, i) * RTCHitN_Ng_x(arguments->hit, count, i) +
                         RTCRayN_dir_y(arguments->ray, count, i) * RTCHitN_Ng_y(arguments->hit, count, i) +
                         RTCRayN_dir_z(arguments->ray, count, i) * RTCHitN_Ng_z(arguments->hit, count, i);

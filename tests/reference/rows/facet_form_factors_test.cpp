@@ -35,6 +35,31 @@ Scene facetsOf(const Scene& scene) {
   return facets;
 }
 
+/// Rows of facets by rays.
+class RowTruth {
+ public:
+  RowTruth(const Scene& scene, const DiscretizationSettings& settings)
+      : elements_(discretize(scene, settings)), rays_(scene, elements_), receivers_(everyElement(elements_)) {}
+
+  /// The sum of the absolute differences of a row from the truth, and of the standard errors of the truth.
+  std::pair<double, double> errorOf(std::uint32_t facet, const SparseRow& row, int samples) const {
+    const MeasuredRow truth = rays_.overHemisphere(
+        areaRaySource(rays_.pieces(), std::vector{elements_.grids[facet].firstElement}), receivers_, {.samples = samples});
+    const std::vector<double> found = row.spread(row.value, elements_.grids.size());
+    double error = 0, noise = 0;
+    for (std::uint32_t e = 0; e < elements_.elements.size(); ++e) {
+      error += std::abs(found[elements_.elements[e].surface] - truth.receivers[e].value);
+      noise += truth.receivers[e].standardError;
+    }
+    return {error, noise};
+  }
+
+ private:
+  Discretization elements_;
+  RayFormFactors rays_;
+  Receivers receivers_;
+};
+
 }  // namespace
 
 TEST_CASE("FacetFormFactors of an empty room are closed forms: everything is visible", "[facets]") {
@@ -89,22 +114,13 @@ TEST_CASE("FacetFormFactors between walls 2 mm apart, behind a slit and at a con
       join(room, tests::box("block", {0.1, 0.2, 0.6}, {0.3, 0.5, 0.4}, false))};
   for (std::size_t s = 0; s < scenes.size(); ++s) {
     const Scene scene = withoutBuried(tests::sceneOf(scenes[s]));
-    const Discretization elements = discretize(scene, {.texels = 1});
-    const RayFormFactors rays(scene, elements);
-    const Receivers receivers = everyElement(elements);
+    const RowTruth truth(scene, {.texels = 1});
     FacetFormFactors factors(scene, {.maxError = 0.01});
     for (std::uint32_t i = 0; i < 6; ++i) {
       CAPTURE(s, i);
       const SparseRow row = factors.row(i);
       CHECK(sumOf(row) == Approx(1).epsilon(1e-12));
-      const MeasuredRow truth = rays.overHemisphere(
-          areaRaySource(rays.pieces(), std::vector{elements.grids[i].firstElement}), receivers, {.samples = 1 << 17});
-      const std::vector<double> found = row.spread(row.value, scene.surfaces.size());
-      double error = 0, noise = 0;
-      for (std::uint32_t e = 0; e < elements.elements.size(); ++e) {
-        error += std::abs(found[elements.elements[e].surface] - truth.receivers[e].value);
-        noise += truth.receivers[e].standardError;
-      }
+      const auto [error, noise] = truth.errorOf(i, row, 1 << 17);
       CHECK(error <= *row.rowError + noise);
       CHECK(error < 0.03);
     }
@@ -113,23 +129,14 @@ TEST_CASE("FacetFormFactors between walls 2 mm apart, behind a slit and at a con
 
 TEST_CASE("FacetFormFactors with blockers agree with rays within their estimated error", "[facets]") {
   const Scene box = withoutBuried(loadScene(HEMITEX_DATA "/cornell-box.obj", {.facets = true}));
-  const Discretization elements = discretize(box, {.texels = 1, .isUnburied = true});
-  const RayFormFactors rays(box, elements);
-  const Receivers receivers = everyElement(elements);
+  const RowTruth truth(box, {.texels = 1, .isUnburied = true});
   FacetFormFactors factors(box, {.maxError = 0.01});
   for (std::uint32_t i = 0; i < box.surfaces.size(); ++i) {
     CAPTURE(i);
     const SparseRow row = factors.row(i);
     CHECK(sumOf(row) == Approx(1).epsilon(1e-12));
-    CHECK(*row.rowError <= 0.011);
-    const MeasuredRow truth = rays.overHemisphere(
-        areaRaySource(rays.pieces(), std::vector{elements.grids[i].firstElement}), receivers, {.samples = 1 << 18});
-    const std::vector<double> found = row.spread(row.value, box.surfaces.size());
-    double error = 0, noise = 0;
-    for (std::uint32_t e = 0; e < elements.elements.size(); ++e) {
-      error += std::abs(found[elements.elements[e].surface] - truth.receivers[e].value);
-      noise += truth.receivers[e].standardError;
-    }
+    CHECK(*row.rowError <= 0.01);
+    const auto [error, noise] = truth.errorOf(i, row, 1 << 18);
     CHECK(error <= *row.rowError + noise);
   }
 }
