@@ -105,7 +105,9 @@ bool isSameFile(const Place& place, const fs::path& file) {
 
 }  // namespace
 
-Staging::Staging(const Output& output)
+Staging::Staging(const Output& output) : Staging(output, std::lock_guard(openFolders().mutex)) {}
+
+Staging::Staging(const Output& output, const std::lock_guard<std::mutex>&)
     : output_(output),
       name_(output.kind == Output::Kind::File ? output.place.filename().string() : ""),
       final_(output.kind == Output::Kind::File ? output.place.parent_path() : output.place),
@@ -131,7 +133,6 @@ Staging::Staging(const Output& output)
     undo();
     throw;
   }
-  const std::lock_guard guard(openFolders().mutex);
   openFolders().folders.insert(this);
 }
 
@@ -143,7 +144,8 @@ Staging::~Staging() {
 
 void Staging::removeFiles() const {
   std::error_code ignored;
-  fs::remove_all(folder(), ignored);
+  // At a signal, another thread may write a file into the folder between its listing and its removal.
+  for (int look = 0; look < 100 && fs::exists(folder(), ignored); ++look) fs::remove_all(folder(), ignored);
   final_.removeMade();
 }
 
@@ -240,7 +242,7 @@ std::set<fs::path> filesBelow(const fs::path& folder) {
 }
 
 void removeTemporaryFolders() {
-  const std::lock_guard guard(openFolders().mutex);
+  openFolders().mutex.lock();  // and never unlocked
   for (const Staging* staging : openFolders().folders) staging->removeFiles();
 }
 

@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <mutex>
 #include <set>
 #include <string>
 
@@ -64,6 +65,9 @@ class Staging {
   void commit(const std::string& last = {}, const std::set<std::string>& stale = {});
 
  private:
+  /// With the lock of the list of these folders, because a signal must not end the program before the list has this
+  /// one.
+  Staging(const Output& output, const std::lock_guard<std::mutex>& listIsLocked);
   void requireOther(const std::string& name) const;
   void requirePlace(const std::string& name);
   Origin originOf(const std::string& name) const;
@@ -85,7 +89,7 @@ class Staging {
 std::set<std::filesystem::path> filesBelow(const std::filesystem::path& folder);
 
 /// Removes the temporary folders of this program at once, before it ends because of a signal. Results that are being
-/// moved are moved first.
+/// moved are moved first. After it, a thread that makes, moves or removes such a folder waits for the end.
 void removeTemporaryFolders();
 
 }  // namespace hemitex::cli
