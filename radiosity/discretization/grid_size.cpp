@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <string>
 
 #include "radiosity/geometry/mesh_charts.h"
 #include "radiosity/geometry/rectangle_packing.h"
+#include "radiosity/scene/ray_tree.h"
 #include "radiosity/scene/surface_names.h"
 #include "raster/base/input_error.h"
 #include "raster/base/memory_budget.h"
@@ -82,6 +84,14 @@ int texelsAlong(double length, const DiscretizationSettings& settings) {
   return static_cast<int>(std::clamp(texels, 1.0, static_cast<double>(settings.maxTexels)));
 }
 
+/// The size that the settings give this surface, or null.
+const GridSize* namedSize(const Surface& surface, const DiscretizationSettings& settings) {
+  for (const std::string& name : {surface.name, surface.family})
+    if (const auto found = settings.surfaceTexels.find(name); found != settings.surfaceTexels.end())
+      return &found->second;
+  return nullptr;
+}
+
 /// The size if texels follow the scene: powers of two.
 GridSize sizeFollowingScene(const Surface& surface, const glm::dvec2& lengths, const DiscretizationSettings& settings) {
   const int fewest = isFlat(surface) ? 1 : fewestOfBent;
@@ -93,6 +103,44 @@ GridSize sizeFollowingScene(const Surface& surface, const glm::dvec2& lengths, c
     return std::min(std::max(texels, fewest), settings.maxTexels);
   };
   return {along(lengths.x), along(lengths.y)};
+}
+
+/// Whether light changes across a strip of this width, because another front is nearer to it than that: to at least
+/// half of some points, along the normal.
+bool isFacedNear(const Surface& surface, double width, const RayTree& tree, double height) {
+  constexpr std::size_t mostTriangles = 8;
+  const std::vector<Triangle>& triangles = surface.triangles;
+  const std::size_t step = (triangles.size() + mostTriangles - 1) / mostTriangles;
+  int points = 0, faced = 0;
+  for (std::size_t t = 0; t < triangles.size(); t += step) {
+    const auto& [a, b, c] = triangles[t].position;
+    const glm::dvec3 out = normal(triangles[t]);
+    for (const glm::dvec3& corner : {a, b, c}) {
+      const auto hit = tree.firstHit((a + b + c) / 6.0 + 0.5 * corner + height * out, out);
+      ++points;
+      if (hit && hit->isFront && hit->distance <= width) ++faced;
+    }
+  }
+  return 2 * faced >= points;
+}
+
+/// A strip has one row or column of texels, and at least this number along it.
+constexpr int shortestStrip = 4;
+
+/// Gives strips that are faced near two texels across, if texels follow the scene: with one, the light that falls on
+/// one edge would leave from the other one.
+void widenStrips(const Scene& scene, const DiscretizationSettings& settings, std::vector<GridSize>& sizes) {
+  std::optional<RayTree> tree;
+  for (std::size_t s = 0; s < sizes.size(); ++s) {
+    const auto [least, most] = std::minmax(sizes[s].columns, sizes[s].rows);
+    const Surface& surface = scene.surfaces[s];
+    const int one = settings.subdivision;
+    if (least > one || most < shortestStrip * one || namedSize(surface, settings)) continue;
+    if (!tree) tree.emplace(scene);
+    const glm::dvec2 lengths = chartLengths(surface);
+    if (!isFacedNear(surface, std::min(lengths.x, lengths.y), *tree, contactTolerance(scene))) continue;
+    (sizes[s].columns == one ? sizes[s].columns : sizes[s].rows) = 2 * one;
+  }
 }
 
 int subdivided(int texels, int subdivision) {
@@ -147,9 +195,7 @@ DiscretizationSettings followingScene(const Scene& scene, DiscretizationSettings
 }
 
 GridSize gridSizeOf(const Surface& surface, const DiscretizationSettings& settings) {
-  for (const std::string& name : {surface.name, surface.family})
-    if (const auto found = settings.surfaceTexels.find(name); found != settings.surfaceTexels.end())
-      return found->second;
+  if (const GridSize* named = namedSize(surface, settings)) return *named;
   GridSize size;
   if (settings.texelSize) {
     const glm::dvec2 lengths = chartLengths(surface);
@@ -165,6 +211,7 @@ std::vector<GridSize> gridSizesOf(const Scene& scene, const DiscretizationSettin
   const DiscretizationSettings followed = followingScene(scene, settings);
   std::vector<GridSize> sizes;
   for (const Surface& surface : scene.surfaces) sizes.push_back(gridSizeOf(surface, followed));
+  if (followed.powersOfTwo) widenStrips(scene, followed, sizes);
   return sizes;
 }
 

@@ -26,7 +26,8 @@ DiscretizationSettings followingScene(const Scene& scene, DiscretizationSettings
 /// n is the one nearest to L / S; then texels differ from S by a factor of at most sqrt(2).
 GridSize gridSizeOf(const Surface& surface, const DiscretizationSettings& settings);
 
-/// The grid of each surface, as `discretize` divides the scene.
+/// The grid of each surface, as `discretize` divides the scene: that of gridSizeOf. If the texels follow the scene,
+/// long strips of one texel across have two if another front is nearer than their width, as slats of a blind.
 std::vector<GridSize> gridSizesOf(const Scene& scene, const DiscretizationSettings& settings);
 
 /// The number of texels of all grids. Phantoms make the number of elements smaller.

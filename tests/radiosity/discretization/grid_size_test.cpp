@@ -188,3 +188,21 @@ TEST_CASE("settingsForPages throws InputError for too many surfaces", "[grid siz
   CHECK(texelSizeFor(1, 16) == Approx(1.0 / 3).epsilon(0.002));
   CHECK(gridSizeOf(scene.surfaces[0], settingsForPages(scene, 17, 32)).columns == 32);
 }
+
+TEST_CASE("A strip that another front faces at less than its width has two texels across", "[grid size]") {
+  // The floor is large, so that texels are wider than the strips.
+  const auto sizesAt = [](double gap, double width) {
+    const Scene scene = sceneOf({parallelogram("lower", {0, 0, 0}, {4, 0, 0}, {0, width, 0}),
+                                 parallelogram("upper", {0, 0, gap}, {0, width, 0}, {4, 0, 0}),
+                                 parallelogram("floor", {-2, -4, -5}, {8, 0, 0}, {0, 8, 0})});
+    return gridSizesOf(scene, {});
+  };
+  const auto across = [](const GridSize& size) { return std::min(size.columns, size.rows); };
+  for (const auto& [gap, expected] : {std::pair{0.05, 2}, {0.09, 2}, {0.11, 1}, {1.0, 1}, {-0.05, 1}}) {
+    CAPTURE(gap);
+    const std::vector<GridSize> sizes = sizesAt(gap, 0.1);
+    for (const std::size_t strip : {0, 1}) CHECK(across(sizes[strip]) == expected);
+    CHECK(std::max(sizes[0].columns, sizes[0].rows) >= 4);
+  }
+  CHECK(across(sizesAt(0.5, 2)[0]) > 2);  // not a strip
+}
