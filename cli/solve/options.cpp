@@ -57,9 +57,9 @@ void addSolverOptions(Command command, SolveOptions& options) {
   radiosity::SolverSettings& settings = options.solver;
   command = command.under("Accuracy and memory");
   addPositive(command, "--residual", options.residual, std::numeric_limits<double>::infinity(),
-              "stop when the unshot flux is at most this share of the emitted flux (default 0.001, or 0.00001 with "
-              "light from outside, and less until what the camera sees is lit; with --max-error a tenth of the bound, "
-              "if that is less)");
+              "stop when the unshot flux is at most this share of the emitted flux (default 0.001; with light "
+              "from outside 0.001 of what stays in rooms, at least 0.00001 of all; and less until what the camera sees "
+              "is lit; with --max-error a tenth of the bound, if that is less)");
   addInteger(command, "--shots", settings.shots, 0, std::numeric_limits<int>::max(),
              "stop after N shots, or at the residual, whichever comes first (default: see --residual)");
   const auto readCache = [&settings](const std::string& text) {

@@ -26,6 +26,7 @@ radiosity::LightSettings lightSettings(const SolveOptions& options, const radios
                                        const radiosity::Camera& camera) {
   radiosity::LightSettings settings{.drawing = options.drawing,
                                     .solver = options.solver,
+                                    .isResidualDefault = !options.residual && !options.maxError,
                                     .adaptive = options.adaptive,
                                     .elements = options.discretization,
                                     .isContinued = options.isContinued};

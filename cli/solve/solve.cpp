@@ -238,7 +238,7 @@ void solve(SolveOptions asked, Context& context) {
   if (asked.isContinued) asked.discretization.isUnburied = true;
   Laps laps;
   const radiosity::Scene scene = sceneOf(asked, console);
-  asked.solver.residual = asked.residual.value_or(radiosity::defaultResidual(scene));
+  if (asked.residual) asked.solver.residual = *asked.residual;
   requireLight(scene, asked.scene.file, ", or --sky 1,1,1 for light from outside");
   const radiosity::Camera camera = cameraOf(asked.camera, scene, asked.scene.file);
   const std::vector<Frame> frames =

@@ -174,7 +174,7 @@ class WatchedSolution {
 
   void solve(radiosity::Scene scene) {
     SolveOptions options = asked_;
-    options.solver.residual = options.residual.value_or(radiosity::defaultResidual(scene));
+    if (options.residual) options.solver.residual = *options.residual;
     requireMemoryOfRun(scene, options);
     radiosity::Discretization unsplit = discretizationOf(options.discretization, scene);
     Staging(output()).requirePlaces(outputNames(options, scene, unsplit, 0));

@@ -55,6 +55,7 @@ std::vector<bool> seenBy(const radiosity::Scene& scene, const py::object& camera
 void setBound(Method& method, double bound, const Settings& settings, const Elements& elements,
               const py::object& camera) {
   if (method.rows) throw InputError("`max_error` chooses settings of hemicubes", "omit `method`");
+  method.light.isResidualDefault = false;
   radiosity::LightSettings& light = method.light;
   const std::optional<double> residual = settings.number("residual", 1e-14, 1e300);
   const bool isResolutionGiven = settings.value("resolution").has_value();
@@ -84,7 +85,9 @@ Method methodOf(const Settings& settings, const Elements& elements, const py::ob
     method.light.drawing = drawingSettings(settings, {"rays"});
   radiosity::SolverSettings& solver = method.light.solver;
   solver.shots = settings.integer("shots", 0, std::numeric_limits<int>::max());
-  solver.residual = settings.number("residual", 1e-14, 1e300).value_or(radiosity::defaultResidual(*elements.scene));
+  const std::optional<double> residual = settings.number("residual", 1e-14, 1e300);
+  solver.residual = residual.value_or(solver.residual);
+  method.light.isResidualDefault = !residual;
   if (const auto bound = settings.number("max_error", 1e-6, 1)) setBound(method, *bound, settings, elements, camera);
   method.light.elements = elements.settings;
   return method;

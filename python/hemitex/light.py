@@ -101,8 +101,9 @@ def solve(what: Scene | Elements,
     """Solves by progressive radiosity, with the bits of `hemitex solve`.
 
     texels, texel_size: the elements of a scene, as `discretize` takes them.
-    residual: stops when so much of the emitted flux is unshot (default 0.001; 0.00001 with light from outside; with
-    max_error a tenth of that, if it is less). shots: stops after so many, or at the residual.
+    residual: stops when so much of the emitted flux is unshot (default 0.001; with light from outside 0.001 of
+    what stays in rooms, at least 0.00001 of all; with max_error a tenth of that, if it is less). shots: stops after so
+    many, or at the residual.
     resolution, split: of hemicubes (default 256 and 0.003); with max_error its effort begins there.
     max_error: solves with growing effort until the expected error is at most this share, of all flux and of what
     `seen_by` sees; of facets without texels, bounds the error of every row of form factors. format: channels of item

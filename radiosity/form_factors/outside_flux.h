@@ -22,6 +22,9 @@
 
 namespace hemitex::radiosity {
 
+/// The smallest share of light from outside that counts (see OutsideFlux::counted).
+inline constexpr double leastCounted = 0.01;
+
 struct OutsideFlux {
   BandTable received = {};  ///< one per element, W; empty if no light comes from outside or from lamps
   Bands onBacks = {};       ///< from outside, absorbed by backs, also by the outer sides of walls; W; empty as above
@@ -29,6 +32,10 @@ struct OutsideFlux {
   Bands fromLamps = {};
   Bands lost = {};         ///< left the scene or was absorbed by backs
   Bands lostToBacks = {};  ///< part of `lost` that backs absorbed
+  /// The share of the light from outside that stays in enclosed places, such as rooms and windows with blinds, at least
+  /// leastCounted. The rest is absorbed at once or leaves from roofs and lawns; no other surface changes with it. The
+  /// default residual and the weights of patches (patch_subdivision.h) are shares of the light that counts.
+  double counted = leastCounted;
 };
 
 /// The flux that elements receive from outside, and all that lamps emit, in W per band; empty if there is none.

@@ -17,7 +17,7 @@
 /// fold, the share by which its normals cancel is added.
 ///
 /// A patch is tested when it is about to shoot for the first time. Its weight is its flux at that time over a 256th of
-/// all emitted flux, of which light from outside counts as a hundredth (see outsideShare). The error is flux times
+/// all emitted flux, of which light from outside counts in part (see OutsideFlux::counted). The error is flux times
 /// misdirected share, and quartering the patch divides both by 4. So work is distributed best if the limit of the share
 /// is proportional to 1 / sqrt(weight): it is `maxMisdirected` / sqrt(w) for weight w. In the same way, faint patches
 /// are drawn at lower resolutions.

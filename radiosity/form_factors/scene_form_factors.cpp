@@ -1,8 +1,12 @@
 #include "radiosity/form_factors/scene_form_factors.h"
 
 #include <algorithm>
+#include <array>
+#include <numeric>
 #include <utility>
 
+#include "radiosity/discretization/element_materials.h"
+#include "radiosity/discretization/patch_points.h"
 #include "radiosity/index_maps/meshed_draws.h"
 #include "radiosity/index_maps/scene_draw_list.h"
 #include "raster/software/software_renderer.h"
@@ -85,8 +89,38 @@ OutsideFlux SceneFormFactors::fluxFromOutside() {
   return radiosity::outsideFlux(scene_, discretization_, layout, *renderer, views);
 }
 
+/// Elements are chosen with probabilities as the flux that they reflect, by equal steps along its sum. One that sees
+/// more of the scene than of what is outside is enclosed; its flux counts by the share that meets the scene.
+double SceneFormFactors::countedShare(const OutsideFlux& flux) {
+  constexpr int samples = 64;
+  const ElementMaterials materials(scene_, discretization_);
+  std::vector<double> reflected(flux.received.size());
+  for (std::uint32_t e = 0; e < reflected.size(); ++e) {
+    Bands sum(materials.bands());
+    addTo(sum, flux.received[e]);
+    const std::span<const double> reflectance = materials.reflectance(discretization_.elements[e].surface, e);
+    for (std::size_t band = 0; band < sum.size(); ++band) reflected[e] += sum[band] * reflectance[band];
+  }
+  const double all = std::accumulate(reflected.begin(), reflected.end(), 0.0);
+  double before = 0, counted = 0;
+  int sample = 0;
+  for (std::uint32_t e = 0; e < reflected.size(); ++e) {
+    before += reflected[e];
+    const int first = sample;
+    while (sample < samples && (sample + 0.5) * all < before * samples) ++sample;
+    if (sample == first) continue;
+    const std::uint32_t surface = discretization_.elements[e].surface;
+    const FormFactorRow row = rows_.ofPoints(std::array{ViewPoint{
+        .surface = surface, .point = elementCentre(scene_, discretization_, e), .up = {}, .halvings = maxHalvings}});
+    const double meeting = 1 - formFactor(row.background + row.back);
+    if (meeting > 0.5) counted += meeting * (sample - first);
+  }
+  return std::clamp(counted / samples * all / bandSum(sumOf(flux)), leastCounted, 1.0);
+}
+
 OutsideFlux SceneFormFactors::outsideFlux() {
   OutsideFlux flux = fluxFromOutside();
+  if (!flux.received.empty()) flux.counted = countedShare(flux);
   for (std::uint32_t l = 0; l < scene_.lamps.size(); ++l) {
     const Lamp& lamp = scene_.lamps[l];
     if (lamp.intensity == glm::dvec3(0)) continue;

@@ -83,11 +83,13 @@ class SceneFormFactors {
   /// What is drawn for rows, before they are corrected.
   ProjectedFormFactors& uncorrected() { return rows_; }
   /// The flux from `scene.outside` and from `scene.lamps`. That from outside is drawn with eight times as many
-  /// directions as a face has pixels along its side, or fewer for scenes of many triangles (see affordableViews).
+  /// directions as a face has pixels along its side, or fewer for scenes of many triangles (see affordableViews). What
+  /// counts of it is found at 64 elements, by rows of low resolution.
   OutsideFlux outsideFlux();
 
  private:
   OutsideFlux fluxFromOutside();
+  double countedShare(const OutsideFlux& flux);
 
   const Scene& scene_;
   const Discretization& discretization_;

@@ -76,6 +76,9 @@ class Solutions {
 
   void solveWith(SceneFormFactors& drawn) {
     const LightSettings& settings = result_.settings;
+    OutsideFlux outside = drawn.outsideFlux();
+    if (settings.isResidualDefault && !settings.maxError)
+      result_.settings.solver.residual = defaultResidual(scene_, result_.discretization, outside);
     const SolutionStart start = hooks_.start ? hooks_.start(settings.solver) : SolutionStart();
     RowCache ofViews(settings.solver.rowCacheBytes / 2);
     PatchRows rows{.rowOf = drawn.rowOf(),
@@ -97,7 +100,7 @@ class Solutions {
                      .split = rows.split,
                      .prepare = rows.prepare,
                      .settings = settings.solver,
-                     .outside = drawn.outsideFlux(),
+                     .outside = std::move(outside),
                      .seen = seenLight(drawn),
                      .snapshot = start.snapshot ? &*start.snapshot : nullptr,
                      .isContinued = settings.isContinued};

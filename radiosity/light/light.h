@@ -20,6 +20,7 @@ namespace hemitex::radiosity {
 struct LightSettings {
   DrawingSettings drawing = {};
   SolverSettings solver = {};
+  bool isResidualDefault = false;  ///< without maxError: the residual of `solver` becomes the default of the scene
   /// Above 0. Solves with growing effort until both expected errors are within it (error_control.h): chooses the
   /// resolution and the splits of `drawing`, and the residual of `solver`. A solution that the shots of `solver` end is
   /// the last one.

@@ -60,10 +60,9 @@ std::vector<SolutionWarning> warningsOf(const Scene& scene, const Energy& energy
 /// All emitted flux over the flux of a patch of weight 1 (see PatchSplit).
 constexpr double unitsOfFlux = 256;
 
-/// The flux of a patch of weight 1, of which light from outside counts as outsideShare.
-double unitFluxOf(const ShotLight& light) {
-  const double fromOutside = bandSum(sumOf(light.outside)) - bandSum(light.outside.fromLamps);
-  return (light.lastEmitted - (1 - outsideShare) * fromOutside) / unitsOfFlux;
+/// The flux that counts of all that is emitted, bands summed: light from outside in part.
+double countedFlux(double emitted, const OutsideFlux& outside) {
+  return emitted - (1 - outside.counted) * (bandSum(sumOf(outside)) - bandSum(outside.fromLamps));
 }
 
 /// Of the residual of the settings: at this share a solution ends if no light came to what is seen.
@@ -91,7 +90,7 @@ Solution shoot(const SolveInput& input, ShootingState& state, RowCache& rows, Ba
   };
   std::vector<SplitCall> splits = past.splits;
   const auto snapshot = [&] { return Snapshot{solution.shots, splits, absorbedByBacks, state.saved()}; };
-  const double unitFlux = unitFluxOf(state.light());
+  const double unitFlux = countedFlux(state.light().lastEmitted, state.light().outside) / unitsOfFlux;
   const auto weightOf = [&](std::uint32_t number) {
     const Patch& patch = state.patches().list[number];
     const double ofAll = sizeSum(state.unshot(number)) / unitFlux;
@@ -222,9 +221,9 @@ Solution shootFrom(SolveInput input, Continuation begun, const Progress& progres
 
 }  // namespace
 
-double defaultResidual(const Scene& scene) {
-  constexpr double withoutOutside = SolverSettings().residual;
-  return brightest(scene.outside) > 0 ? withoutOutside * outsideShare : withoutOutside;
+double defaultResidual(const Scene& scene, const Discretization& discretization, const OutsideFlux& outside) {
+  const double emitted = bandSum(emittedFlux(scene, discretization)) + bandSum(sumOf(outside));
+  return SolverSettings().residual * (emitted > 0 ? countedFlux(emitted, outside) / emitted : 1);
 }
 
 std::string endOf(const Solution& solution, const SolverSettings& settings) {

@@ -27,13 +27,9 @@ struct SolverSettings {
   bool keepsIrradiance = false;       ///< also for scenes without maps (see Solution::irradiance)
 };
 
-/// The share of light from outside that counts in the default residual and in the weights of patches (see
-/// patch_subdivision.h). A room behind windows receives about this share of the light on a house and the ground around
-/// it, and should be as accurate as a room with lamps.
-inline constexpr double outsideShare = 0.01;
-
-/// The residual for a scene: that of SolverSettings, times outsideShare if light comes from outside.
-double defaultResidual(const Scene& scene);
+/// The residual for a scene: that of SolverSettings, times the share of all emitted flux that counts. Light from
+/// outside counts as OutsideFlux::counted, so that a room behind windows is as accurate as one with lamps.
+double defaultResidual(const Scene& scene, const Discretization& discretization, const OutsideFlux& outside);
 
 /// The light of seen surfaces (see seenSurfaces). The solution takes as much care of it as of all light: little of it
 /// stays unshot. With scout rows, patches are split and drawn by what their flux adds to it, even if they are faint

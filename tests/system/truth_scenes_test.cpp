@@ -36,13 +36,14 @@ struct TruthScene {
 Solution solvedByDefault(const Scene& scene, Discretization& discretization) {
   discretization = discretize(scene, {});
   SceneFormFactors drawn(scene, discretization, layOut(discretization), {});
+  OutsideFlux outside = drawn.outsideFlux();
   return solve({.scene = scene,
                 .discretization = discretization,
                 .patches = discretization.patches,
                 .rowOf = drawn.rowOf(),
                 .split = drawn.splits(),
-                .settings = {.residual = defaultResidual(scene)},
-                .outside = drawn.outsideFlux()});
+                .settings = {.residual = defaultResidual(scene, discretization, outside)},
+                .outside = std::move(outside)});
 }
 
 bool startsWith(const std::string& name, const std::string& prefix) {

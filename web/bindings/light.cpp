@@ -50,7 +50,8 @@ class SolutionHandle {
   SolutionHandle(const ElementsHandle& elements, const Json& settings)
       : elements_(elements), drawing_(drawingSettings(settings)), ids_(idSettings(settings)) {
     radiosity::requireEmission(*elements.scene, "the scene");
-    solver_.residual = settings.value("residual", radiosity::defaultResidual(*elements.scene));
+    isResidualDefault_ = !settings.contains("residual");
+    solver_.residual = settings.value("residual", solver_.residual);
     if (!(solver_.residual >= 0)) throw InputError("the residual is below 0");
     if (settings.contains("shots")) solver_.shots = settings["shots"].get<int>();
     if (solver_.shots.value_or(0) < 0) throw InputError("the number of shots is below 0");
@@ -131,9 +132,13 @@ class SolutionHandle {
   void solve(bool isEditable) {
     const radiosity::LightHooks hooks{
         .layOut = [ids = ids_](const radiosity::Discretization& edited) { return radiosity::layOut(edited, ids); }};
-    radiosity::Light light = radiosity::light(
-        *elements_.scene, *elements_.discretization,
-        {.drawing = drawing_, .solver = solver_, .elements = elements_.settings, .isContinued = isEditable}, hooks);
+    radiosity::Light light = radiosity::light(*elements_.scene, *elements_.discretization,
+                                              {.drawing = drawing_,
+                                               .solver = solver_,
+                                               .isResidualDefault = isResidualDefault_,
+                                               .elements = elements_.settings,
+                                               .isContinued = isEditable},
+                                              hooks);
     if (isEditable) {
       light.settings.solver.shots.reset();
       dynamic_ =
@@ -163,6 +168,7 @@ class SolutionHandle {
   radiosity::DrawingSettings drawing_;
   radiosity::IdSettings ids_;
   radiosity::SolverSettings solver_;
+  bool isResidualDefault_ = false;
   radiosity::Solution solution_;                         ///< of one that is not editable
   std::unique_ptr<radiosity::DynamicSolution> dynamic_;  ///< of one that is
   double milliseconds_ = 0;

@@ -239,3 +239,25 @@ TEST_CASE("outsideFlux is empty without light from outside", "[outside_flux]") {
   CHECK(lit.flux.received.empty());
   CHECK(sumOf(lit.flux).empty());
 }
+
+TEST_CASE("Light from outside counts where it is enclosed", "[outside flux]") {
+  // An open box with the opening at its top, and a roof over it that sees nothing but the sky.
+  const auto countedIn = [](bool hasBox, bool hasRoof) {
+    std::vector<Surface> surfaces;
+    if (hasBox) {
+      surfaces = tests::box("wall", {0, 0, 0}, {1, 1, 1}, true);
+      std::erase_if(surfaces, [](const Surface& surface) { return normal(surface.triangles[0]).z < -0.5; });
+    }
+    if (hasRoof) surfaces.push_back(tests::parallelogram("roof", {-10, -10, 9}, {20, 0, 0}, {0, 20, 0}));
+    const Scene scene = sceneWith(std::move(surfaces), sky(glm::dvec3(1)));
+    Discretization discretization = discretize(scene, {.texels = 8});
+    return SceneFormFactors(scene, discretization, layOut(discretization), {.resolution = 64}).outsideFlux().counted;
+  };
+  CHECK(countedIn(false, true) == leastCounted);
+  // Grey walls reflect a half of the light, of which more than a half and less than nine tenths meet other walls.
+  const double ofBox = countedIn(true, false);
+  CHECK(ofBox > 0.25);
+  CHECK(ofBox < 0.45);
+  // The roof receives 400 times the light of the opening.
+  CHECK(countedIn(true, true) == leastCounted);
+}
