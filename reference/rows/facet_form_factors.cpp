@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -38,8 +37,12 @@ constexpr double closedFormError = 1e-4;
 /// drawing.
 constexpr std::size_t mostProven = 2048;
 
-/// Points of each triangle: a power of 2, and at most so many.
-constexpr std::size_t fewestPoints = 8, mostPoints = 512;
+/// Points of each triangle: 2, 3 or 4 times a power of 4.
+constexpr std::uint32_t fewestPoints = 8, mostPoints = 512;
+
+/// With so many points of a triangle the estimated error tells what more points may reach: at best it falls as their
+/// number grows.
+constexpr std::uint32_t pointsThatTell = 32;
 
 int resolutionFor(double maxError) { return maxError >= 0.005 ? 48 : 96; }
 
@@ -54,8 +57,8 @@ double sumOf(const std::vector<double>& values) { return std::accumulate(values.
 
 double square(double x) { return x * x; }
 
-/// The points of a triangle that are together in one part of it, if there are 2^k points in all (pointOfTriangle).
-std::size_t pointsTogether(std::size_t points) { return std::countr_zero(points) % 2 == 1 ? 2 : 4; }
+/// The points of a triangle that are together in one part of it, of all points: 2, 3 or 4 (pointOfTriangle).
+std::size_t pointsTogether(std::size_t points) { return points > 4 ? pointsTogether(points / 4) : points; }
 
 /// The variance of the sum of values over the points of triangles: point p of triangle t has the place p triangles + t.
 /// `together` of the points of each triangle are in one part of it. They are random there, so that their differences
@@ -209,11 +212,14 @@ class FacetFormFactors::Worker {
     weight_ = 0;
     triangles_ = scene_.surfaces[facet].triangles.size();
     SparseRow row;
-    for (std::uint32_t points = 0, count = triangles_ > 1 ? fewestPoints / 2 : fewestPoints;; count *= 2) {
+    for (std::uint32_t points = 0, count = triangles_ > 1 ? fewestPoints / 2 : fewestPoints;;) {
       for (; points < count; ++points) addViews(facet, points);
       lookAtSeen(facet);
       row = rowOf(facet);
-      if (*row.rowError <= settings_.maxError || count == mostPoints) break;
+      const bool isOutOfReach = points >= pointsThatTell && *row.rowError * points > settings_.maxError * mostPoints;
+      if (*row.rowError <= settings_.maxError || isOutOfReach || count == mostPoints) break;
+      const auto together = static_cast<std::uint32_t>(pointsTogether(count));
+      count += count / together * (together == 4 ? 4 : 1);
     }
     for (const std::uint32_t f : touched_) lights_[f] = {};
     touched_.clear();
@@ -348,14 +354,16 @@ class FacetFormFactors::Worker {
     return {square(scale) * varianceOf(values, pointsTogether(points)), square(scale) * varianceOf(values, points)};
   }
 
-  /// The estimated error, per root of the variance by points in one part. Each of them is in another quarter of the
-  /// part, so that the error is smaller: what quarters have to parts is about what parts have to the whole. Few points
-  /// know the variance roughly (Student's t).
+  /// The estimated error, per root of the variance by points in one part. The differences of these points come from
+  /// differences within quarters of the part, and of quarters. What quarters have to parts is about what parts have to
+  /// the whole. Each point is in another quarter, so that m of 4 quarters add (4 - m) / 3 of their variance to the
+  /// mean, but 4 / 3 of it to the differences. Few points know the variance roughly (Student's t).
   double errorPerDeviation(const Spread& spread) const {
-    const std::size_t points = views_.size() / triangles_, together = pointsTogether(points);
-    const double falls = spread.overall > 0 ? std::min(spread.inParts / spread.overall, 1.0) : 1;
-    const double known = static_cast<double>(views_.size()) * (1 - 1.0 / static_cast<double>(together));
-    return std::sqrt(together == 4 ? falls : (1 + falls) / 2) * (2.5 + 8 / known);
+    const auto together = static_cast<double>(pointsTogether(views_.size() / triangles_));
+    const double within = spread.overall > 0 ? std::min(spread.inParts / spread.overall, 1.0) : 1, between = 1 - within;
+    const double remains = (within + between * (4 - together) / 3) / (within + between * 4 / 3);
+    const double known = static_cast<double>(views_.size()) * (1 - 1 / together);
+    return std::sqrt(remains) * (2.5 + 8 / known);
   }
 
   /// The shares of facets that no point sees but some may see, if the others leave light for them.
