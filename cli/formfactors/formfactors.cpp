@@ -107,9 +107,9 @@ void addFormFactors(Command program, Context& context) {
   addDiscretizationOptions(command, options->discretization);
   addIdOptions(command, options->id);
   addSceneOptions(command, options->scene);
-  for (const char* chosen : {"--resolution", "--orientation", "--split", "--pixels-per-element", "--discretize",
-                             "--method", "--samples", "--texels", "--texel-size", "--surface", "--device"})
+  for (const char* chosen : {"--split", "--method", "--samples", "--texels", "--texel-size", "--surface", "--patch"})
     maxError.excludes(command.option(chosen));
+  for (const std::string& drawn : drawingOptionNames()) maxError.excludes(command.option(drawn));
   command.showFirst({"--from", "--by-surface", "--all", "--facets", "--smooth", "--method", "--resolution", "--samples",
                      "--texels", "--patch"});
   command.addExamples(

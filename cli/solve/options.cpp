@@ -266,8 +266,10 @@ void completeOptions(Command command, SolveOptions& options) {
   if (options.adaptive && !options.discretization.texelSize)
     options.discretization.texels = options.discretization.texels.value_or(16);
   completeFacets(options);
-  if (boundsRows(options))
-    refuseUnused(command, {"--resolution", "--split", "--device"}, "hemicube --max-error for facets");
+  if (boundsRows(options)) {
+    refuseUnused(command, drawingOptionNames(), "hemicube --max-error for facets");
+    refuseUnused(command, {"--split", "--patch"}, "hemicube --max-error for facets");
+  }
   if (boundsLight(options)) {
     if (command.isGiven("--resolution")) options.coarsest.resolution = options.drawing.resolution;
     if (command.isGiven("--split")) options.coarsest.split = options.drawing.split;

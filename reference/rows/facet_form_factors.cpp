@@ -27,8 +27,8 @@ constexpr double hiddenAtMost = 0.005, hiddenPixelsAtMost = 1;
 /// A facet whose covered pixels have less light than this number of pixels at the pole has an uncertain visible part.
 constexpr double fewestPixels = 4;
 
-/// The estimated error, per standard error of the mean over the sets of points. Eight sets know the latter roughly.
-constexpr double errorPerDeviation = 3;
+/// The estimated error, per root of the least variance.
+constexpr double errorPerLeast = 3;
 
 /// The relative error of the closed form (quick_form_factor.h).
 constexpr double closedFormError = 1e-4;
@@ -37,33 +37,42 @@ constexpr double closedFormError = 1e-4;
 /// drawing.
 constexpr std::size_t mostProven = 2048;
 
-/// Of points, each alike but random, so that their differences tell the error.
-constexpr std::size_t setCount = 8;
-using PerSet = std::array<double, setCount>;
+/// Points of each triangle: 2, 3 or 4 times a power of 4.
+constexpr std::uint32_t fewestPoints = 8, mostPoints = 512;
 
-/// Points of each set and triangle, until the error is small enough.
-constexpr std::array pointCounts{1, 2, 4, 8, 16, 32, 50};
+/// With so many points of a triangle the estimated error tells what more points may reach: at best it falls as their
+/// number grows.
+constexpr std::uint32_t pointsThatTell = 32;
 
-int resolutionFor(double maxError) { return maxError >= 0.005 ? 64 : 128; }
+int resolutionFor(double maxError) { return maxError >= 0.005 ? 48 : 96; }
 
-/// The light through pixels of a facet, from the sets of points.
-struct FacetSums {
-  PerSet seen{}, covered{};
-  int views = 0;          ///< that `covered` counts
-  double unblocked = -1;  ///< the closed form, once it is known
-  bool isFree = false;    ///< nothing lies between: the closed form is the form factor
+/// The light through pixels of a facet.
+struct FacetLight {
+  std::vector<double> seen, covered;  ///< of each view; views behind the end of `seen` do not see the facet
+  double unblocked = -1;              ///< the closed form, once it is known
+  bool isFree = false;                ///< nothing lies between: the closed form is the form factor
 };
 
-double sumOf(const PerSet& sums) { return std::accumulate(sums.begin(), sums.end(), 0.0); }
+double sumOf(const std::vector<double>& values) { return std::accumulate(values.begin(), values.end(), 0.0); }
 
 double square(double x) { return x * x; }
 
-/// The standard error of the sum of sets that are alike.
-double deviationOf(const PerSet& sums) {
-  const double mean = sumOf(sums) / setCount;
+/// The points of a triangle that are together in one part of it, of all points: 2, 3 or 4 (pointOfTriangle).
+std::size_t pointsTogether(std::size_t points) { return points > 4 ? pointsTogether(points / 4) : points; }
+
+/// The variance of the sum of values over the points of triangles: point p of triangle t has the place p triangles + t.
+/// `together` of the points of each triangle are in one part of it. They are random there, so that their differences
+/// tell the error of the part.
+double varianceOf(const std::vector<double>& values, std::size_t together) {
+  const std::size_t stride = values.size() / together;
   double squares = 0;
-  for (const double sum : sums) squares += (sum - mean) * (sum - mean);
-  return std::sqrt(squares * setCount / (setCount - 1));
+  for (std::size_t first = 0; first < stride; ++first) {
+    double mean = 0;
+    for (std::size_t k = first; k < values.size(); k += stride) mean += values[k];
+    mean /= static_cast<double>(together);
+    for (std::size_t k = first; k < values.size(); k += stride) squares += square(values[k] - mean);
+  }
+  return squares * static_cast<double>(together) / static_cast<double>(together - 1);
 }
 
 double visiblePart(double seen, double covered) { return covered > 0 ? std::min(seen / covered, 1.0) : 0; }
@@ -100,7 +109,7 @@ glm::dvec2 pointOfTriangle(std::uint64_t seed, std::uint32_t number) {
 
 /// The least error of the visible part of a facet that n points see through a number of pixels: the border of the
 /// points that see it crosses about the root of n cells, each of which is off by up to 1 / n, and each pixel is seen or
-/// not. If all points see all of it, the next one may not. The differences of the sets tell more, but may be small by
+/// not. If all points see all of it, the next one may not. The differences of points tell more, but may be small by
 /// chance.
 double leastError(double part, double n, double pixels) {
   const double uncertain = std::clamp(part, 1 / (n + 2), 1 - 1 / (n + 2));
@@ -155,20 +164,25 @@ std::vector<ConvexPolygons> polygonsInSpace(const radiosity::Scene& scene) {
   return images;
 }
 
-/// A view, the area of its triangle and the set of its point.
+/// A view, and the area of its triangle.
 struct WeightedView {
   radiosity::View view;
   double weight;
-  std::size_t set;
+};
+
+/// Variances of a sum over points: by points in one part of a triangle, and by all points of a triangle.
+struct Spread {
+  double inParts = 0, overall = 0;
 };
 
 /// A share of a row while it is estimated.
 struct Share {
   std::uint32_t column = 0;
   double value = 0, most = 1;  ///< that it may have
-  double error = 0;            ///< by the differences of sets
+  double error = 0;            ///< by the differences of points
   double least = 0;            ///< error
   double unseen = 0;           ///< light that no point sees arrive, of which it may have all
+  double variance = 0;         ///< by the differences of points in one part of the facet
 
   double deviation() const { return std::max(error, least); }
 };
@@ -185,25 +199,29 @@ class FacetFormFactors::Worker {
         settings_(settings),
         renderer_(radiosity::softwareRenderer(drawsOfFacets(scene, layout))),
         rows_(scene, images, layout, *renderer_, {.resolution = resolutionFor(settings.maxError)}),
-        sums_(images.elements.size()),
+        lights_(images.elements.size()),
         poleShare_(poleShare(resolutionFor(settings.maxError))) {}
 
   SparseRow row(std::uint32_t facet) {
     const auto facets = static_cast<std::uint32_t>(scene_.surfaces.size());
-    const auto images = static_cast<std::uint32_t>(sums_.size());
+    const auto images = static_cast<std::uint32_t>(lights_.size());
     if (const std::optional<SparseRow> proven = provenRow(facet)) return folded(*proven, facets, images);
     views_.clear();
-    background_ = backs_ = {};
+    background_.clear();
+    backs_.clear();
     weight_ = 0;
-    int points = 0;
+    triangles_ = scene_.surfaces[facet].triangles.size();
     SparseRow row;
-    for (const int count : pointCounts) {
+    for (std::uint32_t points = 0, count = triangles_ > 1 ? fewestPoints / 2 : fewestPoints;;) {
       for (; points < count; ++points) addViews(facet, points);
       lookAtSeen(facet);
       row = rowOf(facet);
-      if (*row.rowError <= settings_.maxError) break;
+      const bool isOutOfReach = points >= pointsThatTell && *row.rowError * points > settings_.maxError * mostPoints;
+      if (*row.rowError <= settings_.maxError || isOutOfReach || count == mostPoints) break;
+      const auto together = static_cast<std::uint32_t>(pointsTogether(count));
+      count += count / together * (together == 4 ? 4 : 1);
     }
-    for (const std::uint32_t f : touched_) sums_[f] = {};
+    for (const std::uint32_t f : touched_) lights_[f] = {};
     touched_.clear();
     return folded(row, facets, images);
   }
@@ -211,10 +229,10 @@ class FacetFormFactors::Worker {
  private:
   /// The row of a facet that sees all of each facet in front of it, and no back; else nothing.
   std::optional<SparseRow> provenRow(std::uint32_t facet) const {
-    if (sums_.size() > mostProven) return std::nullopt;
+    if (lights_.size() > mostProven) return std::nullopt;
     std::vector<Share> shares;
     double sum = 0;
-    for (std::uint32_t number = 0; number < sums_.size(); ++number) {
+    for (std::uint32_t number = 0; number < lights_.size(); ++number) {
       if (shafts_.maySeeBack(facet, number)) return std::nullopt;
       const double unblocked = quickFormFactor(shafts_.polygonsOf(facet), shafts_.polygonsOf(number));
       if (unblocked == 0) continue;
@@ -223,37 +241,36 @@ class FacetFormFactors::Worker {
       shares.back().error = closedFormError * unblocked;
       sum += unblocked;
     }
-    const auto outside = static_cast<std::uint32_t>(sums_.size());
+    const auto outside = static_cast<std::uint32_t>(lights_.size());
     shares.push_back({.column = outside, .value = std::max(1 - sum, 0.0)});
     shares.back().error = closedFormError * sum;
     shares.push_back({.column = outside + 1});
-    return rowOf(shares);
+    return rowOf(shares, closedFormError * sum);
   }
 
-  /// Adds the next point of each set and triangle.
-  void addViews(std::uint32_t facet, int point) {
+  /// Adds the next point of each triangle.
+  void addViews(std::uint32_t facet, std::uint32_t point) {
     const radiosity::Surface& surface = scene_.surfaces[facet];
-    for (std::uint32_t t = 0; t < surface.triangles.size(); ++t)
-      for (std::size_t set = 0; set < setCount; ++set) {
-        const std::uint64_t seed = (std::uint64_t{facet} << 24) + t * setCount + set;
-        const glm::dvec2 weights = pointOfTriangle(seed, static_cast<std::uint32_t>(point));
-        addView(facet, radiosity::pointOn(surface, t, weights), radiosity::area(surface.triangles[t]), set);
-      }
+    for (std::uint32_t t = 0; t < surface.triangles.size(); ++t) {
+      const glm::dvec2 weights = pointOfTriangle((std::uint64_t{facet} << 24) + t, point);
+      addView(facet, radiosity::pointOn(surface, t, weights), radiosity::area(surface.triangles[t]));
+    }
   }
 
   /// `weight` is the area of the point's triangle.
-  void addView(std::uint32_t facet, const radiosity::SurfacePoint& point, double weight, std::size_t set) {
+  void addView(std::uint32_t facet, const radiosity::SurfacePoint& point, double weight) {
     const auto number = static_cast<int>(views_.size());
     const glm::dvec3 up = radiosity::upOf(radiosity::Orientation::Turned, point.normal, facet, number);
-    views_.push_back({rows_.viewFrom({.surface = facet, .point = point, .up = up, .area = 1}), weight, set});
+    views_.push_back({rows_.viewFrom({.surface = facet, .point = point, .up = up, .area = 1}), weight});
     const radiosity::FormFactorRow row = rows_.ofView(views_.back().view);
     for (std::size_t i = 0; i < row.elements.size(); ++i) {
-      const std::uint32_t seen = row.elements[i];
-      if (sumOf(sums_[seen].seen) == 0) touched_.push_back(seen);
-      sums_[seen].seen[set] += weight * formFactor(row.shares[i]);
+      std::vector<double>& seen = lights_[row.elements[i]].seen;
+      if (seen.empty()) touched_.push_back(row.elements[i]);
+      seen.resize(views_.size());
+      seen.back() = weight * formFactor(row.shares[i]);
     }
-    background_[set] += weight * formFactor(row.background);
-    backs_[set] += weight * formFactor(row.back);
+    background_.push_back(weight * formFactor(row.background));
+    backs_.push_back(weight * formFactor(row.back));
     weight_ += weight;
   }
 
@@ -266,69 +283,95 @@ class FacetFormFactors::Worker {
   /// Adds what each seen facet covers in the views in which it was not counted yet, also where it is hidden.
   void countCovered(std::uint32_t number) {
     const radiosity::Surface facet = imageOf(number);
-    FacetSums& sums = sums_[number];
-    for (; sums.views < static_cast<int>(views_.size()); ++sums.views) {
-      const auto& [view, weight, set] = views_[static_cast<std::size_t>(sums.views)];
+    std::vector<double>& covered = lights_[number].covered;
+    while (covered.size() < views_.size()) {
+      const auto& [view, weight] = views_[covered.size()];
+      double share = 0;
       for (const radiosity::Triangle& triangle : facet.triangles) {
         std::array<glm::dvec3, 3> corners = triangle.position;
         for (glm::dvec3& corner : corners) corner -= scene_.origin;
-        sums.covered[set] += weight * radiosity::coveredShare(*view.projection, view.faces, corners);
+        share += radiosity::coveredShare(*view.projection, view.faces, corners);
       }
+      covered.push_back(weight * share);
     }
   }
 
   void lookAtSeen(std::uint32_t facet) {
     std::sort(touched_.begin(), touched_.end());
     for (const std::uint32_t number : touched_) {
-      FacetSums& sums = sums_[number];
-      if (sums.unblocked < 0) {
-        sums.unblocked = quickFormFactor(shafts_.polygonsOf(facet), shafts_.polygonsOf(number));
-        sums.isFree = shafts_.isFree(facet, number);
+      FacetLight& light = lights_[number];
+      light.seen.resize(views_.size());
+      if (light.unblocked < 0) {
+        light.unblocked = quickFormFactor(shafts_.polygonsOf(facet), shafts_.polygonsOf(number));
+        light.isFree = shafts_.isFree(facet, number);
       }
-      if (!sums.isFree) countCovered(number);
+      if (!light.isFree) countCovered(number);
     }
   }
 
-  Share shareOfFacet(std::uint32_t number) const {
-    const FacetSums& sums = sums_[number];
-    Share share{.column = number, .value = sums.unblocked, .most = sums.unblocked};
-    share.error = closedFormError * sums.unblocked;
-    if (sums.isFree) return share;
-    const double seen = sumOf(sums.seen), covered = sumOf(sums.covered), count = static_cast<double>(views_.size());
+  /// The share of a facet. `differences` becomes what each view tells of it, less the mean.
+  Share shareOfFacet(std::uint32_t number, std::vector<double>& differences) const {
+    const FacetLight& light = lights_[number];
+    Share share{.column = number, .value = light.unblocked, .most = light.unblocked};
+    share.error = closedFormError * light.unblocked;
+    differences.assign(views_.size(), 0);
+    if (light.isFree) return share;
+    const double seen = sumOf(light.seen), covered = sumOf(light.covered), count = static_cast<double>(views_.size());
     const double pixels = covered / weight_ / poleShare_ * count;
+    double part = 0, scale = 1 / weight_;
     if (pixels <= fewestPixels) {
       share.value = std::min(seen / weight_, share.most);
-      share.error = errorPerDeviation * deviationOf(sums.seen) / weight_;
       share.least = std::sqrt(seen / weight_ * poleShare_ / count);
     } else {
-      const double part = visiblePart(seen, covered), hidden = std::max(covered - seen, 0.0);
-      const bool isWhole = hidden <= hiddenAtMost * covered && hidden <= hiddenPixelsAtMost * poleShare_ * weight_;
-      PerSet differences{};
-      for (std::size_t set = 0; set < setCount; ++set) differences[set] = sums.seen[set] - part * sums.covered[set];
-      const double error = isWhole ? hidden / covered : errorPerDeviation * deviationOf(differences) / covered;
-      if (!isWhole) share.value *= part;
-      share.error = std::max(share.error, sums.unblocked * error);
-      share.least = sums.unblocked * leastError(part, count, pixels);
+      const double hidden = std::max(covered - seen, 0.0);
+      part = visiblePart(seen, covered);
+      scale = light.unblocked / covered;
+      if (hidden <= hiddenAtMost * covered && hidden <= hiddenPixelsAtMost * poleShare_ * weight_) {
+        share.error = std::max(share.error, scale * hidden);
+        scale = 0;
+      } else {
+        share.value *= part;
+      }
+      share.least = light.unblocked * leastError(part, count, pixels);
     }
+    for (std::size_t v = 0; v < differences.size(); ++v)
+      differences[v] = scale * (light.seen[v] - (part > 0 ? part * light.covered[v] : 0));
     share.least = std::min(share.least, std::max(share.value, share.most - share.value));
     return share;
   }
 
-  Share shareOutside(std::size_t column, const PerSet& sums) const {
-    const double value = sumOf(sums) / weight_, count = static_cast<double>(views_.size());
+  Share shareOutside(std::size_t column, const std::vector<double>& light) const {
+    const double value = sumOf(light) / weight_, count = static_cast<double>(views_.size());
     return {.column = static_cast<std::uint32_t>(column),
             .value = value,
-            .error = errorPerDeviation * deviationOf(sums) / weight_,
             .least = std::sqrt((value + poleShare_ / count) * poleShare_ / count) +
                      0.06 * std::sqrt(value * std::max(1 - value, 0.0) / (count * std::sqrt(count)))};
+  }
+
+  /// The variance of a sum of values times a factor.
+  Spread spreadOf(const std::vector<double>& values, double scale) const {
+    const std::size_t points = values.size() / triangles_;
+    return {square(scale) * varianceOf(values, pointsTogether(points)), square(scale) * varianceOf(values, points)};
+  }
+
+  /// The estimated error, per root of the variance by points in one part. The differences of these points come from
+  /// differences within quarters of the part, and of quarters. What quarters have to parts is about what parts have to
+  /// the whole. Each point is in another quarter, so that m of 4 quarters add (4 - m) / 3 of their variance to the
+  /// mean, but 4 / 3 of it to the differences. Few points know the variance roughly (Student's t).
+  double errorPerDeviation(const Spread& spread) const {
+    const auto together = static_cast<double>(pointsTogether(views_.size() / triangles_));
+    const double within = spread.overall > 0 ? std::min(spread.inParts / spread.overall, 1.0) : 1, between = 1 - within;
+    const double remains = (within + between * (4 - together) / 3) / (within + between * 4 / 3);
+    const double known = static_cast<double>(views_.size()) * (1 - 1 / together);
+    return std::sqrt(remains) * (2.5 + 8 / known);
   }
 
   /// The shares of facets that no point sees but some may see, if the others leave light for them.
   void addUnseen(std::uint32_t facet, double left, std::vector<Share>& shares) const {
     const std::size_t seen = shares.size();
     double sum = 0;
-    for (std::uint32_t number = 0; number < sums_.size(); ++number) {
-      if (sumOf(sums_[number].seen) > 0) continue;
+    for (std::uint32_t number = 0; number < lights_.size(); ++number) {
+      if (!lights_[number].seen.empty()) continue;
       const double unblocked = quickFormFactor(shafts_.polygonsOf(facet), shafts_.polygonsOf(number));
       if (unblocked == 0) continue;
       const bool isFree = shafts_.isFree(facet, number);
@@ -345,54 +388,66 @@ class FacetFormFactors::Worker {
 
   SparseRow rowOf(std::uint32_t facet) const {
     std::vector<Share> shares;
-    double sum = 0, variance = 0;
-    const auto add = [&](const Share& share) {
+    Spread all;
+    std::vector<double> differences, sums(views_.size());
+    const auto add = [&](Share share, const std::vector<double>& values, double scale) {
+      const Spread own = spreadOf(values, scale);
+      share.variance = own.inParts;
+      all.inParts += own.inParts;
+      all.overall += own.overall;
       shares.push_back(share);
-      sum += share.value;
-      variance += share.deviation() * share.deviation();
     };
-    for (const std::uint32_t number : touched_) add(shareOfFacet(number));
-    add(shareOutside(sums_.size(), background_));
-    add(shareOutside(sums_.size() + 1, backs_));
+    for (const std::uint32_t number : touched_) {
+      const Share share = shareOfFacet(number, differences);
+      add(share, differences, 1);
+      for (std::size_t v = 0; v < sums.size(); ++v) sums[v] += differences[v];
+    }
+    add(shareOutside(lights_.size(), background_), background_, 1 / weight_);
+    add(shareOutside(lights_.size() + 1, backs_), backs_, 1 / weight_);
+    const double perDeviation = errorPerDeviation(all);
+    double sum = 0, variance = 0;
+    for (Share& share : shares) {
+      share.error = std::max(share.error, perDeviation * std::sqrt(share.variance));
+      sum += share.value;
+      variance += square(share.deviation());
+    }
+    const double together = perDeviation * std::sqrt(spreadOf(sums, 1).inParts);
     if (1 - sum > std::max(0.05 * settings_.maxError, 2 * std::sqrt(variance))) addUnseen(facet, 1 - sum, shares);
     std::sort(shares.begin(), shares.end(), [](const Share& a, const Share& b) { return a.column < b.column; });
-    return rowOf(shares);
+    return rowOf(shares, together);
   }
 
-  SparseRow rowOf(std::vector<Share>& shares) const {
-    close(shares);
+  /// `together` is the error of the sum of the shares of facets.
+  SparseRow rowOf(std::vector<Share>& shares, double together) const {
+    close(shares, together);
     SparseRow row;
     double errors = 0, squares = 0, unseen = 0;
     for (const Share& share : shares) {
       errors += share.error;
       unseen = std::max(unseen, share.unseen);
-      squares += share.error * share.error + square(errorPerDeviation * share.least);
-      if (share.value <= 0 && share.column < sums_.size()) continue;
+      squares += share.error * share.error + square(errorPerLeast * share.least);
+      if (share.value <= 0 && share.column < lights_.size()) continue;
       row.column.push_back(share.column);
       row.value.push_back(share.value);
       row.error.push_back(
-          asStored(std::max({share.error, errorPerDeviation * share.least, std::min(share.most, share.unseen)})));
+          asStored(std::max({share.error, errorPerLeast * share.least, std::min(share.most, share.unseen)})));
     }
     // Points seldom see how little light is divided that facets leave of which all is known.
     double left = 1;
     for (const std::uint32_t number : touched_)
-      if (sums_[number].isFree) left -= sums_[number].unblocked;
+      if (lights_[number].isFree) left -= lights_[number].unblocked;
     const double little = left <= settings_.maxError ? 1.5 * std::max(left, 0.0) : 0;
     // Of many errors few are as large as their estimates.
-    row.rowError = std::max(errors / 2 + std::sqrt(squares) + 2 * unseen, little);
+    row.rowError = std::max(errors / 2 + 2.0 / 3 * std::sqrt(squares) + 2 * unseen, little);
     return row;
   }
 
   /// Changes the shares so that all sum to 1: each in proportion to the square of its error, between 0 and the most
   /// that it may be. What is left then goes outside, or all change by one factor. No error is below the change. The sum
   /// tells surroundings and backs better than pixels where other errors are small.
-  static void close(std::vector<Share>& shares) {
+  static void close(std::vector<Share>& shares, double together) {
     std::vector<double> before;
-    double deviations = 0;
-    for (const Share& share : shares) {
-      before.push_back(share.value);
-      deviations += share.deviation();
-    }
+    for (const Share& share : shares) before.push_back(share.value);
     for (int round = 0; round < 20; ++round) {
       double missing = 1, free = 0;
       const auto canMove = [&](const Share& share) { return missing > 0 ? share.value < share.most : share.value > 0; };
@@ -411,15 +466,20 @@ class FacetFormFactors::Worker {
       shares[shares.size() - 2].value += 1 - sum;
     else
       for (Share& share : shares) share.value /= sum;
+    double squares = 0;
     for (std::size_t k = 0; k < shares.size(); ++k) {
       Share& share = shares[k];
-      const double own = share.deviation(), others = deviations - own, change = std::abs(share.value - before[k]);
-      if (change > own) share.error = change;
-      if (change > own || own == 0 || k + 2 < shares.size()) continue;
-      const double smaller = others / std::sqrt(square(others) + square(own));
-      share.error *= smaller;
-      share.least *= smaller;
+      const double change = std::abs(share.value - before[k]);
+      if (change > share.deviation()) share.error = change;
+      if (k + 2 < shares.size()) squares += square(share.least);
     }
+    const double least = std::sqrt(squares);
+    Share &surroundings = shares[shares.size() - 2], &backs = shares.back();
+    const Share outside = surroundings;
+    surroundings.error = std::min(surroundings.error, together + backs.error);
+    surroundings.least = std::min(surroundings.least, least + backs.least);
+    backs.error = std::min(backs.error, together + outside.error);
+    backs.least = std::min(backs.least, least + outside.least);
   }
 
   const radiosity::Scene& scene_;
@@ -427,11 +487,12 @@ class FacetFormFactors::Worker {
   FacetRowSettings settings_;
   std::unique_ptr<raster::ItemBufferRenderer> renderer_;
   radiosity::ProjectedFormFactors rows_;
-  std::vector<FacetSums> sums_;         ///< of each facet at each instance
-  std::vector<std::uint32_t> touched_;  ///< those that the present row sees
-  std::vector<WeightedView> views_;     ///< of the present row
-  double weight_ = 0;                   ///< of the views
-  PerSet background_{}, backs_{};
+  std::vector<FacetLight> lights_;          ///< of each facet at each instance
+  std::vector<std::uint32_t> touched_;      ///< those that the present row sees
+  std::vector<WeightedView> views_;         ///< of the present row
+  double weight_ = 0;                       ///< of the views
+  std::size_t triangles_ = 0;               ///< of the facet
+  std::vector<double> background_, backs_;  ///< the light of each view
   double poleShare_;
 };
 

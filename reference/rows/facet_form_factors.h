@@ -12,10 +12,13 @@
 /// sums have the same points and pixels, so that most errors of the hemicubes cancel. A facet that covers very few
 /// pixels keeps the light through its pixels, at most U.
 ///
-/// The points are eight random sets, whose differences give the standard errors of all shares. Each facet has points of
-/// its own, so that no edge lies between the points of all. There are more of them until the estimated error of the row
-/// is small enough: three times the standard errors, and what chance may hide from the sets. At the end the shares are
-/// changed by their errors so that they sum to 1. No form factor is above U.
+/// The points of a triangle are random, one in each of its 4^k equal parts, or two of them in different quarters. Each
+/// facet has points of its own, so that no edge lies between the points of all. Points in one part of the triangle tell
+/// by their differences how uncertain the part is (collapsed strata: Cochran, Sampling Techniques, 1977, section 5A.12),
+/// and with the differences of all points, how fast this falls from parts to their quarters. The surroundings are what
+/// facets leave: the differences of the sum of all facets tell their error. Points are added until the estimated error
+/// of the row is small enough. It has what chance may hide from the points, too. At the end the shares are changed by
+/// their errors so that they sum to 1. No form factor is above U.
 #pragma once
 
 #include <cstdint>
@@ -33,7 +36,7 @@ namespace hemitex::reference {
 
 struct FacetRowSettings {
   double maxError =
-      0.01;  ///< of a row: points are added until the estimate is below, at most 400 per triangle; above 0
+      0.01;  ///< of a row: points are added until the estimate is below, at most 512 per triangle; above 0
 };
 
 class FacetFormFactors {

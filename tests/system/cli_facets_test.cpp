@@ -123,7 +123,9 @@ TEST_CASE("hemitex solve refuses a matrix of another mesh, and options that face
   writeAll(shell.file("one.csv"), "0 1 1\n1 0 0\n0 0 0.5\n");
   for (const std::string& arguments : std::vector<std::string>{
            box + " --matrix F.npz", "room.obj --matrix missing.npz", "room.obj --facets --no-facets",
-           "room.obj --facets --max-error 0.1 --resolution 64", "room.obj --matrix F.npz --resolution 64",
+           "room.obj --facets --max-error 0.1 --resolution 64",
+           "room.obj --facets --max-error 0.1 --orientation aligned",
+           "room.obj --facets --max-error 0.1 --pixels-per-element 4", "room.obj --matrix F.npz --resolution 64",
            "room.obj --cell-emission e", "room.obj --matrix one.csv"}) {
     CAPTURE(arguments);
     const Outcome outcome = shell.run("solve " + arguments + " -o lit");
