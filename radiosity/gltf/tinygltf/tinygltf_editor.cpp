@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <functional>
 #include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -241,15 +242,20 @@ class Editor {
   json editedPrimitive(const json& primitive, const ImportedPart& part, const PartPlace& place, std::uint32_t polygon) {
     const auto byMap = trianglesOf(part, place, polygon);
     if (byMap.empty()) return json::array({primitive});
+    const bool hasBacks = std::any_of(byMap.begin(), byMap.end(), [](const auto& ofMap) {
+      return std::any_of(ofMap.second.begin(), ofMap.second.end(), std::mem_fn(&EditedTriangle::isBack));
+    });
     json primitives = json::array();
     for (const auto& [map, triangles] : byMap)
-      primitives.push_back(withLightMap(primitive, map, triangles, byMap.size() == 1 ? part.positions.size() : 0));
+      primitives.push_back(
+          withLightMap(primitive, map, triangles, byMap.size() == 1 ? part.positions.size() : 0, hasBacks));
     return primitives;
   }
 
   /// A primitive with coordinates of a light map. If each of all `vertices` has one, only they are added; else vertices
-  /// are written anew.
-  json withLightMap(json primitive, int map, const std::vector<EditedTriangle>& triangles, std::size_t vertices) {
+  /// are written anew. `hasBacks`: whether this or another one is a back.
+  json withLightMap(json primitive, int map, const std::vector<EditedTriangle>& triangles, std::size_t vertices,
+                    bool hasBacks) {
     int set = 0;
     while (primitive["attributes"].contains("TEXCOORD_" + std::to_string(set))) ++set;
     std::map<std::tuple<std::uint32_t, float, float, bool>, std::uint32_t> numbers;
@@ -257,7 +263,7 @@ class Editor {
     std::vector<std::uint32_t> sources, corners;
     std::vector<glm::vec2> coordinates;
     std::vector<bool> isBack;
-    bool hasCopies = vertices == 0, hasBacks = false;
+    bool hasCopies = vertices == 0;
     for (const EditedTriangle& triangle : triangles)
       for (std::size_t k = 0; k < 3; ++k) {
         const glm::vec2& coordinate = triangle.coordinates[k];
@@ -267,7 +273,6 @@ class Editor {
         corners.push_back(known->second);
         if (!isNew) continue;
         hasCopies = hasCopies || ++copies[triangle.corners[k]] > 1;
-        hasBacks = hasBacks || triangle.isBack;
         sources.push_back(triangle.corners[k]);
         coordinates.push_back(coordinate);
         isBack.push_back(triangle.isBack);
