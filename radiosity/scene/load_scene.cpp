@@ -15,6 +15,7 @@
 #include "radiosity/base/named_file.h"
 #include "radiosity/base/text_lines.h"
 #include "radiosity/base/unique_names.h"
+#include "radiosity/images/hole_colours.h"
 #include "radiosity/meshes/mesh_formats.h"
 #include "radiosity/meshes/obj_file.h"
 #include "radiosity/scene/contacts.h"
@@ -260,6 +261,40 @@ void makeNamesUnique(std::vector<Surface>& surfaces) {
   for (Surface& surface : surfaces) surface.name = names.add(surface.name);
 }
 
+/// Fills the holes in the maps of materials (see fillHoles). An image whose materials have several cut-outs, or some
+/// with one and some without, is copied.
+void fillHolesOfMaps(Scene& scene) {
+  const std::array<std::optional<int> Material::*, 2> maps{&Material::reflectanceMap, &Material::emissionMap};
+  struct Variant {
+    const CutOut* cutOut;  // null for none
+    int image;
+  };
+  const auto areEqual = [](const CutOut* a, const CutOut* b) {
+    return a == b || (a && b && a->width == b->width && a->sampler == b->sampler && a->isHole == b->isHole);
+  };
+  std::map<int, std::vector<Variant>> variants;
+  const auto variantOf = [&](int map, const CutOut* cutOut) {
+    return std::find_if(variants[map].begin(), variants[map].end(),
+                        [&](const Variant& known) { return areEqual(known.cutOut, cutOut); });
+  };
+  for (const Material& material : scene.materials)
+    for (const auto map : maps)
+      if (const std::optional<int> image = material.*map;
+          image && variantOf(*image, material.cutOut.get()) == variants[*image].end())
+        variants[*image].push_back({material.cutOut.get(), *image});
+  for (auto& [image, ofImage] : variants)
+    for (std::size_t v = ofImage.size(); v-- > 0;) {
+      if (v > 0) {
+        ofImage[v].image = static_cast<int>(scene.images.size());
+        scene.images.push_back(scene.images[static_cast<std::size_t>(image)]);
+      }
+      if (ofImage[v].cutOut) fillHoles(scene.images[static_cast<std::size_t>(ofImage[v].image)], *ofImage[v].cutOut);
+    }
+  for (Material& material : scene.materials)
+    for (const auto map : maps)
+      if (material.*map) material.*map = variantOf(*(material.*map), material.cutOut.get())->image;
+}
+
 glm::dvec3 meanOf(const Image& image) {
   glm::dvec3 sum(0);
   for (const glm::dvec3& pixel : image.pixels) sum += pixel;
@@ -391,6 +426,7 @@ Scene makeScene(PolygonMesh mesh, const MaterialSource& materials, const std::fi
   MaterialSet found = ofFaces.empty() ? materials(choice.names) : materialsNamed(choice.names, ofFaces);
   scene.materials = std::move(found.materials);
   scene.images = std::move(found.images);
+  fillHolesOfMaps(scene);
   scene.files = std::move(found.files);
   std::move(found.warnings.begin(), found.warnings.end(), std::back_inserter(scene.warnings));
 

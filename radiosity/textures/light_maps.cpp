@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "radiosity/gltf/gltf_light_maps.h"
 #include "radiosity/textures/lit_scene.h"
 #include "radiosity/textures/radiosity_texture.h"
 #include "raster/base/file_io.h"
@@ -36,6 +37,10 @@ std::optional<GltfTexture> cutTexture(const Scene& scene, const Material& materi
   return GltfTexture{material.name, encodePng(coded, file), cutOut.sampler};
 }
 
+GltfLightMap lightMapOf(const std::string& texture, const LightMaps& maps) {
+  return {"lightmaps/" + texture + ".png", "lightmaps/" + texture + ".exr", maps.scale, maps.exposure};
+}
+
 /// Gives the surfaces a material per material and texture; returns them as those of a glTF file. A material of several
 /// textures gets the names `MATERIAL/TEXTURE`.
 std::vector<GltfMaterial> splitMaterials(Scene& scene, const TextureLayout& layout, const LightMaps& maps) {
@@ -49,15 +54,38 @@ std::vector<GltfMaterial> splitMaterials(Scene& scene, const TextureLayout& layo
     number = static_cast<int>(materials.size());
     const Material& material = scene.materials[static_cast<std::size_t>(pair.first)];
     const std::string& texture = layout.names[static_cast<std::size_t>(pair.second)];
-    materials.push_back(
-        {textureCounts[pair.first] > 1 ? material.name + "/" + texture : material.name, material.reflectanceMap,
-         material.reflectance, material.emission, material.emissionMap,
-         GltfLightMap{"lightmaps/" + texture + ".png", "lightmaps/" + texture + ".exr", maps.scale, maps.exposure},
-         material.cutOut != nullptr});
+    materials.push_back({textureCounts[pair.first] > 1 ? material.name + "/" + texture : material.name,
+                         material.reflectanceMap, material.reflectance, material.emission, material.emissionMap,
+                         lightMapOf(texture, maps), material.cutOut != nullptr});
   }
   for (std::size_t s = 0; s < scene.surfaces.size(); ++s)
     scene.surfaces[s].material = numbers.at({scene.surfaces[s].material, layout.places[s].texture});
   return materials;
+}
+
+std::vector<NamedLightMap> namedLightMaps(const TextureLayout& layout, const LightMaps& maps) {
+  std::vector<NamedLightMap> named;
+  for (const std::string& texture : layout.names) named.push_back({texture, lightMapOf(texture, maps)});
+  return named;
+}
+
+/// The triangles of a scene with their coordinates in light maps.
+std::vector<GltfLitTriangle> litTriangles(const Scene& scene, const Discretization& discretization,
+                                          const TextureLayout& layout) {
+  std::vector<GltfLitTriangle> triangles;
+  for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s)
+    for (const Triangle& triangle : scene.surfaces[s].triangles) {
+      GltfLitTriangle& lit = triangles.emplace_back();
+      // Backs of facets are counted behind the fronts.
+      lit.polygon = triangle.polygon % static_cast<std::uint32_t>(scene.faces);
+      lit.lightMap = layout.places[s].texture;
+      lit.positions = triangle.position;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const glm::dvec2 place = textureCoordinate(discretization, layout, s, triangle.chart[k]);
+        lit.lightMapCoords[k] = {place.x, 1 - place.y};
+      }
+    }
+  return triangles;
 }
 
 }  // namespace
@@ -88,6 +116,15 @@ std::vector<std::string> writeLightMaps(const std::filesystem::path& folder, con
   const std::filesystem::path images = folder / "lightmaps";
   std::filesystem::create_directory(images);
   writeTextures(images, layout.names, maps.textures, linear);
+  std::vector<std::string> warnings;
+  if (scene.up == 1 && !scene.files.empty()) {  // glTF
+    const std::string problem =
+        writeWithLightMaps(folder / "lightmap.glb", scene.files.front(), litTriangles(scene, discretization, layout),
+                           namedLightMaps(layout, maps));
+    if (problem.empty()) return {};
+    warnings.push_back("lightmap.glb has only what hemitex reads of the scene, because the file is not edited: " +
+                       problem);
+  }
   GltfModel model;
   model.origin = scene.origin;
   for (std::size_t i = 0; i < scene.images.size(); ++i)
@@ -95,7 +132,6 @@ std::vector<std::string> writeLightMaps(const std::filesystem::path& folder, con
                               encodePng(encodeSrgb(scene.images[i]), folder / "lightmap.glb"),
                               scene.images[i].sampler});
   addObjects(scene);
-  std::vector<std::string> warnings;
   for (Material& material : scene.materials) {
     if (!material.cutOut) continue;
     if (auto texture = cutTexture(scene, material, folder / "lightmap.glb")) {

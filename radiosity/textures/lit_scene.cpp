@@ -8,6 +8,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "radiosity/images/hole_colours.h"
 #include "radiosity/pictures/pictures.h"
 #include "radiosity/scene/scene_settings.h"
 #include "radiosity/textures/corner_radiosity.h"
@@ -69,11 +70,13 @@ std::vector<std::shared_ptr<const CutOut>> cutTextures(const Discretization& dis
     if (discretization.grids[s].mask)
       cutTexture(discretization.grids[s], layout.places[s], layout.textures[t].magnification, textures[t]);
   }
-  std::vector<std::shared_ptr<const CutOut>> cutOuts;
-  for (const CodedImage& texture : textures)
-    cutOuts.push_back(texture.isHole.empty() ? nullptr
-                                             : std::make_shared<CutOut>(CutOut{texture.width, texture.height,
-                                                                               texture.isHole, texture.sampler}));
+  std::vector<std::shared_ptr<const CutOut>> cutOuts(textures.size());
+  for (std::size_t t = 0; t < textures.size(); ++t) {
+    CodedImage& texture = textures[t];
+    if (texture.isHole.empty()) continue;
+    cutOuts[t] = std::make_shared<CutOut>(CutOut{texture.width, texture.height, texture.isHole, texture.sampler});
+    fillHoles(texture, *cutOuts[t]);
+  }
   return cutOuts;
 }
 

@@ -243,6 +243,8 @@ class NodeReader {
       import_.warnings.push_back(numbered("points and lines are left out; primitives:", otherPrimitives_));
   }
 
+  std::vector<PartPlace> places;  ///< of the parts
+
  private:
   /// A node with a mesh.
   struct Instance {
@@ -291,12 +293,14 @@ class NodeReader {
     if (name.empty()) name = "node-" + std::to_string(instance.node);
     name = names_.add(name);
     import_.nodes[static_cast<std::size_t>(instance.imported)].name = name;
-    for (const tinygltf::Primitive& primitive : mesh.primitives) {
+    for (std::size_t p = 0; p < mesh.primitives.size(); ++p) {
       try {
-        readPrimitive(primitive, node.weights.empty() ? mesh.weights : node.weights, instance);
+        readPrimitive(mesh.primitives[p], node.weights.empty() ? mesh.weights : node.weights, instance);
       } catch (const Fault& fault) {
         throw Fault{"the mesh of node `" + name + "`: " + fault.problem, fault.advice};
       }
+      if (places.size() < import_.parts.size())
+        places.push_back({instance.node, static_cast<int>(p), glm::determinant(glm::dmat3(instance.toWorld)) < 0});
     }
   }
 
@@ -393,10 +397,11 @@ std::vector<int> rootsOf(const tinygltf::Model& gltf) {
 
 }  // namespace
 
-void readNodes(const tinygltf::Model& gltf, const ImportBudget& budget, GltfImport& import) {
+std::vector<PartPlace> readNodes(const tinygltf::Model& gltf, const ImportBudget& budget, GltfImport& import) {
   NodeReader nodes(gltf, import);
   for (const int root : rootsOf(gltf)) nodes.readTree(root);
   nodes.readMeshes(budget);
+  return std::move(nodes.places);
 }
 
 }  // namespace hemitex::radiosity

@@ -92,7 +92,11 @@ std::optional<std::string> readableBytes(const std::string& bytes) {
   return edited;
 }
 
-tinygltf::Model parse(const std::string& given, SceneFolder& folder) {
+}  // namespace
+
+tinygltf::Model parsed(const std::string& given, const std::string& name, const ImportBudget& budget,
+                       std::vector<std::string>& files) {
+  SceneFolder folder{name, budget, files};
   if (given.size() > std::numeric_limits<unsigned int>::max())
     throw Fault{"the file has more than 4 GiB", "divide the scene"};
   const std::optional<std::string> edited = readableBytes(given);
@@ -111,6 +115,8 @@ tinygltf::Model parse(const std::string& given, SceneFolder& folder) {
   if (!isRead || !error.empty()) throw faultOf(error, folder);
   return gltf;
 }
+
+namespace {
 
 /// The extensions that are read, or named in a warning of their own.
 constexpr std::array<std::string_view, 11> extensionsRead{
@@ -144,8 +150,7 @@ void warnOfOmissions(const tinygltf::Model& gltf, GltfImport& import) {
 ImportProblem read(const std::string& bytes, const std::string& folder, const ImportBudget& budget,
                    GltfImport& import) {
   try {
-    SceneFolder opened{folder, budget, import.files};
-    tinygltf::Model gltf = parse(bytes, opened);
+    tinygltf::Model gltf = parsed(bytes, folder, budget, import.files);
     checkExtensions(gltf);
     decompress(gltf, budget);
     warnOfOmissions(gltf, import);

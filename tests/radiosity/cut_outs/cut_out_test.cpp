@@ -11,6 +11,7 @@
 #include "radiosity/discretization/discretize.h"
 #include "radiosity/discretization/exposed_pieces.h"
 #include "radiosity/form_factors/scene_form_factors.h"
+#include "radiosity/images/hole_colours.h"
 #include "radiosity/index_maps/meshed_draws.h"
 #include "radiosity/index_maps/scene_draw_list.h"
 #include "radiosity/light/light.h"
@@ -47,25 +48,29 @@ std::string objOf(const std::string& leaf) {
 
 const std::string materials = "newmtl paint\nKd .5\nnewmtl lamp\nKd 0\nKe 10\nnewmtl leaf\nKd .4\n";
 
-Scene load(const std::string& leaf, const IsOpaque& isOpaque = {}, const SceneSettings& settings = {}) {
+/// `more` stands in the material of the leaf.
+Scene load(const std::string& leaf, const IsOpaque& isOpaque = {}, const SceneSettings& settings = {},
+           const std::string& more = {}) {
   const TemporaryFolder folder;
   raster::writeFile(folder.path / "a.obj", objOf(leaf));
-  raster::writeFile(folder.path / "m.mtl", materials + (isOpaque ? "map_d leaf.png\n" : ""));
+  raster::writeFile(folder.path / "m.mtl", materials + (isOpaque ? "map_d leaf.png\n" : "") + more);
   CodedImage image{side, side, std::vector<std::uint8_t>(3 * side * side, 255)};
   for (int row = 0; isOpaque && row < side; ++row)
     for (int column = 0; column < side; ++column)
       image.isHole.push_back(!isOpaque((column + 0.5) / side, 1 - (row + 0.5) / side));
+  for (std::size_t pixel = 0; pixel < image.isHole.size(); ++pixel)  // green where it is opaque, white elsewhere
+    for (const std::size_t band : {0U, 2U}) image.codes[3 * pixel + band] = image.isHole[pixel] ? 255 : 0;
   const std::vector<unsigned char> png = encodePng(image, "leaf.png");
   raster::writeFile(folder.path / "leaf.png", {reinterpret_cast<const char*>(png.data()), png.size()});
   return loadScene(folder.path / "a.obj", settings);
 }
 
 /// The leaf covers [-1, 1]^2 at height 1; its image lies over it once.
-Scene cutLeaf(const IsOpaque& isOpaque, const SceneSettings& settings = {}) {
+Scene cutLeaf(const IsOpaque& isOpaque, const SceneSettings& settings = {}, const std::string& more = {}) {
   return load(
       "v -1 -1 1\nv 1 -1 1\nv 1 1 1\nv -1 1 1\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n"
       "g leaf\nusemtl leaf\nf 9/1 10/2 11/3 12/4\n",
-      isOpaque, settings);
+      isOpaque, settings, more);
 }
 Scene rectangleLeaf() {
   return load("v -.5 -.25 1\nv .5 -.25 1\nv .5 .75 1\nv -.5 .75 1\ng leaf\nusemtl leaf\nf 9 10 11 12\n");
@@ -180,6 +185,61 @@ TEST_CASE("a camera sees through the holes of a cut-out, also in the lit scene t
   const auto json = tests::parseGlb(raster::readFile(folder.path / "scene.glb")).description;
   CHECK(json["materials"][2]["alphaMode"] == "MASK");
   CHECK(!json["materials"][0].contains("alphaMode"));
+}
+
+TEST_CASE("a leaf that is green where it is opaque and white in its holes is green", "[cutout]") {
+  const auto isRound = [](double u, double v) { return std::hypot(u - 0.45, v - 0.52) < 0.37; };
+  const Scene scene = cutLeaf(isRound, {}, "map_Kd leaf.png\nKe 1 1 1\nmap_Ke leaf.png\n");
+  for (const int texels : {1, 3, 7, 16}) {
+    const Discretization discretization = discretize(scene, {.texels = texels});
+    const Grid& grid = discretization.grids[2];
+    std::vector<glm::dvec3> shown(discretization.elements.size(), glm::dvec3(0.3));
+    for (const std::uint32_t e : elementsOf(grid)) {
+      CHECK(glm::distance(reflectance(scene, discretization, e), glm::dvec3(0, 0.4, 0)) < 1e-12);
+      CHECK(glm::distance(emission(scene, discretization, e), glm::dvec3(0, 1, 0)) < 1e-12);
+      shown[e] = {0, 0.3, 0};
+    }
+    const TextureLayout layout = layOutTextures(scene, discretization, {});
+    const LitScene lit = makeLitScene(scene, discretization, layout, shown, 1, TextureFilter::Bilinear);
+    const CodedImage& texture = lit.textures[static_cast<std::size_t>(layout.places[2].texture)];
+    REQUIRE_FALSE(texture.isHole.empty());
+    std::size_t others = 0;
+    for (std::size_t pixel = 0; pixel < texture.isHole.size(); ++pixel)
+      if (texture.codes[3 * pixel] != 0 || texture.codes[3 * pixel + 1] == 0) ++others;
+    CHECK(others == 0);
+  }
+}
+
+TEST_CASE("fillHoles gives holes the colour beside them, also those of a finer and of a coarser cut-out", "[cutout]") {
+  const glm::dvec3 red(1, 0, 0), green(0, 1, 0), white(1);
+  Image image{4, 1, {white, red, green, white}};
+  fillHoles(image, {4, 1, {true, false, false, true}});
+  CHECK(image.pixels == std::vector<glm::dvec3>{red, red, green, green});
+  image.pixels = {white, white, green, red};
+  fillHoles(image, {2, 1, {true, false}});
+  CHECK(image.pixels == std::vector<glm::dvec3>{green, green, green, red});
+  image = {2, 1, {white, red}};
+  fillHoles(image, {4, 2, {true, true, false, true, true, true, true, true}});
+  CHECK(image.pixels == std::vector<glm::dvec3>{red, red});
+  fillHoles(image, {2, 1, {true, true}});
+  CHECK(image.pixels == std::vector<glm::dvec3>{red, red});
+}
+
+TEST_CASE("a map without a cut-out keeps the colours in the holes that another material cuts", "[cutout]") {
+  const Scene scene = cutLeaf(isInRectangle, {}, "map_Kd leaf.png\nnewmtl paint2\nmap_Kd leaf.png\n");
+  REQUIRE(scene.images.size() == 1);  // paint2 is not used
+  const Scene both = load(
+      "v -1 -1 1\nv 1 -1 1\nv 1 1 1\nv -1 1 1\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n"
+      "g leaf\nusemtl leaf\nf 9/1 10/2 11/3 12/4\nv 5 -1 1\nv 7 -1 1\nv 7 1 1\ng whole\nusemtl whole\n"
+      "f 13/1 14/2 15/3\n",
+      isInRectangle, {}, "map_Kd leaf.png\nnewmtl whole\nmap_Kd leaf.png\n");
+  REQUIRE(both.images.size() == 2);
+  for (const Surface& surface : both.surfaces) {
+    const Material& material = both.materials[static_cast<std::size_t>(surface.material)];
+    if (!material.reflectanceMap) continue;
+    const Image& image = both.images[static_cast<std::size_t>(*material.reflectanceMap)];
+    CHECK(image.pixels.front() == (material.cutOut ? glm::dvec3(0, 1, 0) : glm::dvec3(1)));
+  }
 }
 
 TEST_CASE("glTF's MASK is a cut-out, whose alpha is that of the texture times the factor", "[cutout]") {

@@ -1,12 +1,17 @@
 /// makeLightMaps and writeLightMaps: reflectance times light map is the display texture; the files are parsed.
 #include "radiosity/textures/light_maps.h"
 
+#include <algorithm>
+#include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <utility>
 
+#include "radiosity/discretization/discretize.h"
+#include "radiosity/scene/load_scene.h"
 #include "radiosity/textures/lit_scene.h"
 #include "radiosity/textures/radiosity_texture.h"
+#include "raster/base/file_io.h"
 #include "tests/support/glb.h"
 #include "tests/support/picture_scenes.h"
 #include "tests/support/shell.h"
@@ -150,6 +155,185 @@ TEST_CASE("writeLightMaps writes the scene with its materials, both texture coor
   CHECK(lamp["extensions"]["KHR_materials_emissive_strength"]["emissiveStrength"] == 2.0);
   CHECK(lamp["pbrMetallicRoughness"]["baseColorTexture"]["index"] == 0);
   CHECK(gltf["samplers"][gltf["textures"][0]["sampler"].get<std::size_t>()]["wrapS"] == 10497);  // REPEAT
+}
+
+namespace {
+
+/// A quad of two triangles in two nodes, one a mirror image, with things that hemitex does not read.
+json quads() {
+  json file = json::parse(R"({"asset": {"version": "2.0", "extras": {"by": "a painter"}}, "scene": 0,
+    "scenes": [{"nodes": [0, 1, 2], "name": "all"}],
+    "nodes": [{"mesh": 0, "extras": {"id": 7}}, {"mesh": 0, "scale": [-1, 1, 1], "translation": [5, 0, 1]},
+              {"name": "lamp", "translation": [0, 0, 3], "extensions": {"KHR_lights_punctual": {"light": 0}}},
+              {"mesh": 1, "name": "of no scene"}],
+    "extensionsUsed": ["KHR_lights_punctual", "EXT_of_somebody", "KHR_materials_clearcoat"],
+    "extensions": {"KHR_lights_punctual": {"lights": [{"type": "point", "intensity": 5, "range": 9.5}]},
+                   "EXT_of_somebody": {"words": ["a", 1, null, 1e-7]}},
+    "animations": [{"channels": [{"sampler": 0, "target": {"node": 0, "path": "translation"}}],
+                    "samplers": [{"input": 3, "output": 0}]}],
+    "images": [{"uri": "leaf.png"}], "textures": [{"source": 0}, {"source": 0}],
+    "materials": [{"name": "paint", "normalTexture": {"index": 1, "scale": 0.3}, "extras": {"cost": 12},
+                   "pbrMetallicRoughness": {"baseColorTexture": {"index": 0}, "roughnessFactor": 0.37},
+                   "extensions": {"KHR_materials_clearcoat": {"clearcoatFactor": 0.4}}}],
+    "meshes": [{"name": "quad", "primitives": [{"attributes": {"POSITION": 0, "TEXCOORD_0": 1, "_OWN": 3}, "indices": 2,
+                                                "material": 0, "extras": "kept"}]},
+               {"primitives": [{"attributes": {"POSITION": 0}, "mode": 1}]}],
+    "buffers": [{"byteLength": 92}],
+    "bufferViews": [{"buffer": 0, "byteLength": 48}, {"buffer": 0, "byteOffset": 48, "byteLength": 32},
+                    {"buffer": 0, "byteOffset": 80, "byteLength": 6}, {"buffer": 0, "byteOffset": 88, "byteLength": 4}],
+    "accessors": [{"bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC3", "min": [0, 0, 0],
+                   "max": [1, 1, 0]},
+                  {"bufferView": 1, "componentType": 5126, "count": 4, "type": "VEC2"},
+                  {"bufferView": 2, "componentType": 5121, "count": 6, "type": "SCALAR"},
+                  {"bufferView": 3, "componentType": 5121, "count": 4, "type": "SCALAR"}]})");
+  return file;
+}
+
+const std::string quadBytes = [] {
+  const std::vector<float> values{0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 1, 1, 1, 1, 0, 0, 0};
+  return std::string(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(float)) +
+         std::string("\0\1\2\0\2\3\0\0\11\12\13\14", 12);
+}();
+
+/// A glTF file in `folder`, read, with light maps beside it.
+struct EditedFile {
+  Scene scene;
+  Discretization discretization;
+  TextureLayout layout;
+  Glb glb;
+  std::vector<std::string> warnings;
+
+  EditedFile(const std::filesystem::path& folder, const json& description, bool isMasked = false) {
+    const std::vector<unsigned char> png =
+        encodePng({2, 1, {255, 255, 255, 0, 0, 0}, {}, isMasked ? std::vector{true, false} : std::vector<bool>()}, "a");
+    raster::writeFile(folder / "leaf.png", {reinterpret_cast<const char*>(png.data()), png.size()});
+    raster::writeFile(folder / "a.glb", glbBytes({description, quadBytes}));
+    scene = loadScene(folder / "a.glb");
+    discretization = discretize(scene, {.texels = 4});
+    layout = layOutTextures(scene, discretization, {});
+    const std::vector<glm::dvec3> irradiance(discretization.elements.size(), glm::dvec3(1));
+    const LightMaps maps = makeLightMaps(scene, discretization, layout, irradiance, exposure, TextureFilter::Bilinear);
+    warnings = writeLightMaps(folder, maps, scene, discretization, layout,
+                              radiosityTextures(discretization, layout, irradiance), {});
+    glb = parseGlb(readAll(folder / "lightmap.glb"));
+  }
+};
+
+using Corners = std::vector<std::array<double, 5>>;
+
+/// The places of all corners, with the coordinates in light maps, counted from the top; sorted.
+Corners cornersOf(const EditedFile& edited) {
+  Corners corners;
+  for (std::uint32_t s = 0; s < edited.scene.surfaces.size(); ++s)
+    for (const Triangle& triangle : edited.scene.surfaces[s].triangles)
+      for (std::size_t k = 0; k < 3; ++k) {
+        const glm::dvec3& p = triangle.position[k];
+        const glm::dvec2 place = textureCoordinate(edited.discretization, edited.layout, s, triangle.chart[k]);
+        corners.push_back({p.x, p.y, p.z, static_cast<float>(place.x), static_cast<float>(1 - place.y)});
+      }
+  std::sort(corners.begin(), corners.end());
+  return corners;
+}
+
+/// The same of lightmap.glb, whose textures are read with the coordinates in light maps.
+Corners cornersOfGlb(const std::filesystem::path& folder, Glb glb) {
+  for (json& material : glb.description["materials"])
+    material["pbrMetallicRoughness"]["baseColorTexture"] = {{"index", 0},
+                                                            {"texCoord", material["extras"]["lightMapTexCoord"]}};
+  raster::writeFile(folder / "again.glb", glbBytes(glb));
+  Corners corners;
+  for (const Surface& surface : loadScene(folder / "again.glb").surfaces)
+    for (const Triangle& triangle : surface.triangles)
+      for (std::size_t k = 0; k < 3; ++k) {
+        const glm::dvec3& p = triangle.position[k];
+        corners.push_back({p.x, p.y, p.z, triangle.texcoord[k].x, 1 - triangle.texcoord[k].y});
+      }
+  std::sort(corners.begin(), corners.end());
+  return corners;
+}
+
+}  // namespace
+
+TEST_CASE("writeLightMaps edits a glTF file, of which all else comes back untouched", "[light-maps]") {
+  const TemporaryFolder folder;
+  const json given = quads();
+  const EditedFile edited(folder.path, given);
+  CHECK(edited.warnings.empty());
+  const json& written = edited.glb.description;
+  for (const char* const key : {"asset", "scene", "scenes", "extensionsUsed", "extensions", "animations", "textures"})
+    CHECK(written[key] == given[key]);
+  CHECK(edited.glb.buffer.starts_with(quadBytes));
+  for (std::size_t i = 0; i < 4; ++i) CHECK(written["accessors"][i] == given["accessors"][i]);
+  CHECK(written["nodes"][0]["extras"] == given["nodes"][0]["extras"]);
+  CHECK(written["nodes"][2] == given["nodes"][2]);
+  CHECK(written["nodes"][3] == given["nodes"][3]);
+  CHECK(written["meshes"][1] == given["meshes"][1]);
+  const auto image = written["images"][0]["bufferView"].get<std::size_t>();
+  CHECK(viewBytes(edited.glb, image) == readAll(folder.path / "leaf.png"));
+  CHECK(written["images"][0]["mimeType"] == "image/png");
+  for (const std::size_t node : {0U, 1U}) {  // each node has a light map of its own
+    const json& primitive = written["meshes"][written["nodes"][node]["mesh"].get<std::size_t>()]["primitives"].at(0);
+    json attributes = primitive["attributes"];
+    CHECK(attributes.contains("TEXCOORD_1"));
+    attributes.erase("TEXCOORD_1");
+    CHECK(attributes == given["meshes"][0]["primitives"][0]["attributes"]);
+    CHECK(primitive["indices"] == 2);
+    CHECK(primitive["extras"] == "kept");
+    json material = written["materials"][primitive["material"].get<std::size_t>()];
+    const std::string& texture = edited.layout.names[node];
+    CHECK(material["extras"]["lightMap"] == "lightmaps/" + texture + ".png");
+    CHECK(material["extras"]["exposure"] == exposure);
+    CHECK(material["name"] == (node == 0 ? "paint" : "paint/" + texture));
+    material["name"] = "paint";
+    material["extras"] = {{"cost", material["extras"]["cost"]}};
+    CHECK(material == given["materials"][0]);
+  }
+  const Corners expected = cornersOf(edited), found = cornersOfGlb(folder.path, edited.glb);
+  REQUIRE(found.size() == expected.size());
+  for (std::size_t i = 0; i < found.size(); ++i)
+    for (std::size_t k = 0; k < 5; ++k) CHECK(found[i][k] == Approx(expected[i][k]).margin(1e-6));
+}
+
+TEST_CASE("writeLightMaps gives vertices of several coordinates copies, and both sides of a leaf their own",
+          "[light-maps]") {
+  const TemporaryFolder folder;
+  json leaf = quads();
+  leaf["materials"][0].update({{"alphaMode", "MASK"}, {"doubleSided", true}});
+  EditedFile edited(folder.path, leaf, true);
+  REQUIRE(edited.scene.surfaces.size() == 4);
+  std::size_t primitives = 0;
+  for (const std::size_t node : {0U, 1U})
+    for (const json& primitive :
+         edited.glb
+             .description["meshes"][edited.glb.description["nodes"][node]["mesh"].get<std::size_t>()]["primitives"]) {
+      ++primitives;
+      const auto& accessor = edited.glb.description["accessors"][primitive["attributes"]["_OWN"].get<std::size_t>()];
+      CHECK(accessor["componentType"] == 5121);
+      CHECK(edited.glb.description["accessors"][primitive["attributes"]["POSITION"].get<std::size_t>()]["max"] ==
+            json({1.0, 1.0, 0.0}));
+      const std::string own = viewBytes(edited.glb, accessor["bufferView"]);
+      CHECK(own.size() == 16);  // each value takes four bytes
+      CHECK(own[0] == 011);
+    }
+  CHECK(primitives == 4);
+  for (json& material : edited.glb.description["materials"]) {
+    CHECK_FALSE(material.contains("doubleSided"));  // each side is there
+    material["alphaMode"] = "OPAQUE";
+  }
+  const Corners expected = cornersOf(edited), found = cornersOfGlb(folder.path, edited.glb);
+  REQUIRE(found.size() == expected.size());
+  for (std::size_t i = 0; i < found.size(); ++i)
+    for (std::size_t k = 0; k < 5; ++k) CHECK(found[i][k] == Approx(expected[i][k]).margin(1e-6));
+}
+
+TEST_CASE("writeLightMaps says why a glTF file is not edited", "[light-maps]") {
+  const TemporaryFolder folder;
+  json instances = quads();
+  instances["extensionsUsed"].push_back("EXT_mesh_gpu_instancing");
+  const EditedFile edited(folder.path, instances);
+  REQUIRE(edited.warnings.size() == 1);
+  CHECK_THAT(edited.warnings[0], Catch::Contains("EXT_mesh_gpu_instancing"));
+  CHECK_FALSE(edited.glb.description.contains("animations"));
 }
 
 TEST_CASE("hemitex solve --lightmap writes lightmap.glb and a light map per texture", "[cli]") {
