@@ -4,6 +4,7 @@
 #include <numeric>
 #include <utility>
 
+#include "cli/common/interruption.h"
 #include "cli/common/json.h"
 #include "cli/report/solved_page.h"
 #include "cli/scene/facet_file.h"
@@ -118,9 +119,10 @@ double exposureOf(const SolvedScene& solved) {
 
 std::optional<radiosity::GatheredLight> gatheredLight(const SolvedScene& solved, Console& console) {
   if (!solved.options.gather) return std::nullopt;
-  radiosity::GatheredLight light =
-      radiosity::gather(solved.scene, solved.discretization, solved.layout, texturesOf(solved), solved.solution, {},
-                        [&](double done) { console.progress(done, "gathering"); });
+  const LongRun run;
+  std::optional<radiosity::GatheredLight> light = radiosity::gather(
+      solved.scene, solved.discretization, solved.layout, texturesOf(solved), solved.solution, {},
+      [&](double done) { console.progress(done, "gathering"); }, &LongRun::isStopping());
   console.endProgress();
   return light;
 }

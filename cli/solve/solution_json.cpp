@@ -244,7 +244,7 @@ ordered_json solutionSettings(const SolveOptions& options) {
 ordered_json description(const SolvedScene& solved, const std::optional<radiosity::LitScene>& lit) {
   const SolveOptions& options = solved.options;
   ordered_json settings = solutionSettings(options);
-  const bool isFiltered = hasTextures(options) && !options.gather;
+  const bool isFiltered = hasTextures(options) && !solved.gathered;
   settings.update({{"filter", isFiltered ? ordered_json(nameOf(filterOf(options))) : ordered_json()},
                    {"magnify", orNull(options.magnification)},
                    {"camera", toJson(solved.camera)},
@@ -276,6 +276,7 @@ ordered_json description(const SolvedScene& solved, const std::optional<radiosit
   if (solved.gathered)
     text["gather"] = {
         {"texels", solved.gathered->texels}, {"drawn", solved.gathered->drawn}, {"error", solved.gathered->error}};
+  if (solved.solution.isInterrupted || (options.gather && !solved.gathered)) text["interrupted"] = true;
   if (!solved.scene.wavelengths.empty()) text["bands"] = listed(solved.scene, solved.scene.wavelengths);
   return text;
 }

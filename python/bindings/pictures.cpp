@@ -49,7 +49,7 @@ radiosity::LitScene gatheredScene(const radiosity::Scene& scene, const radiosity
   const radiosity::TextureLayout layout =
       radiosity::layOutTextures(scene, discretization, {{}, radiosity::maxGatheredTexels});
   const radiosity::GatheredLight light =
-      radiosity::gather(scene, discretization, radiosity::layOut(discretization), layout, solution);
+      *radiosity::gather(scene, discretization, radiosity::layOut(discretization), layout, solution);
   return radiosity::makeLitScene(
       scene, discretization, layout,
       radiosity::codedTextures(radiosity::radiosityTextures(scene, discretization, layout, light), exposure));

@@ -102,14 +102,15 @@ class SeenElements {
 /// Light that texels see in elements: draws some of them and interpolates the others.
 class Interpolation {
  public:
-  Interpolation(SeenElements& seen, std::vector<LitTexels>& all, const GatherSettings& settings)
-      : seen_(seen), all_(all), settings_(settings) {
+  Interpolation(SeenElements& seen, std::vector<LitTexels>& all, const GatherSettings& settings,
+                const std::atomic<bool>* isCancelled)
+      : seen_(seen), all_(all), settings_(settings), isCancelled_(isCancelled) {
     for (const LitTexels& texels : all) states_.emplace_back(texels.places.size());
   }
 
   void run(const std::function<void(double)>& progress) {
     std::vector<Cell> cells = largestCells();
-    for (double done = 0; !cells.empty(); done = 0.5 * (1 + done)) {
+    for (double done = 0; !cells.empty() && !isTrue(isCancelled_); done = 0.5 * (1 + done)) {
       if (progress) progress(done);
       draw(unknownIn(cells, [](const LitTexels& texels, const Cell& cell) { return cornersOf(texels, cell); }));
       std::vector<Cell> uneven, divided;
@@ -167,6 +168,7 @@ class Interpolation {
   void draw(const std::vector<TexelNumber>& numbers) {
     drawn_ += numbers.size();
     raster::parallelFor(numbers.size(), [&](std::size_t i) {
+      if (isTrue(isCancelled_)) return;
       LitTexels& texels = all_[numbers[i].surface];
       std::optional<LitPlace>& place = texels.places[numbers[i].texel];
       if (const auto light = seen_.irradiance(*place)) {
@@ -261,6 +263,7 @@ class Interpolation {
   void measure() {
     std::vector<double> squares(checks_.size());
     raster::parallelFor(checks_.size(), [&](std::size_t i) {
+      if (isTrue(isCancelled_)) return;
       const LitTexels& texels = all_[checks_[i].surface];
       const double seen = bandSum(seen_.irradiance(*texels.places[checks_[i].texel]).value_or(Bands()));
       const double difference = bandSum(texels.seen[checks_[i].texel]) - seen;
@@ -274,6 +277,7 @@ class Interpolation {
   SeenElements& seen_;
   std::vector<LitTexels>& all_;
   const GatherSettings& settings_;
+  const std::atomic<bool>* isCancelled_;
   std::vector<std::vector<State>> states_;  ///< of the texels of each surface
   std::size_t drawn_ = 0, interpolated_ = 0;
   std::vector<TexelNumber> checks_;
@@ -319,13 +323,15 @@ struct Gathering {
   const Discretization& discretization;
   const DirectLight& direct;
   const GatherSettings& settings;
+  const std::atomic<bool>* isCancelled;
 };
 
 /// The texels of all surfaces with their light from elements and sources. Adds to the counts of `result`.
 std::vector<LitTexels> litTexels(const Gathering& of, SeenElements& seen, const Magnifications& magnifications,
                                  const std::function<void(double)>& progress, GatheredLight& result) {
-  std::vector<LitTexels> all = directlyLitTexels(of.scene, of.discretization, magnifications, of.direct);
-  Interpolation interpolation(seen, all, of.settings);
+  std::vector<LitTexels> all =
+      directlyLitTexels(of.scene, of.discretization, magnifications, of.direct, of.isCancelled);
+  Interpolation interpolation(seen, all, of.settings, of.isCancelled);
   interpolation.run(progress);
   result.drawn += interpolation.drawn();
   result.error = interpolation.error();
@@ -376,11 +382,12 @@ BandTable radiosityOf(const Gathering& of, const Discretization& finer, const st
 
 }  // namespace
 
-GatheredLight gather(const Scene& scene, const Discretization& discretization, const IdLayout& layout,
-                     const TextureLayout& textures, const Solution& solution, const GatherSettings& settings,
-                     const std::function<void(double)>& progress) {
+std::optional<GatheredLight> gather(const Scene& scene, const Discretization& discretization, const IdLayout& layout,
+                                    const TextureLayout& textures, const Solution& solution,
+                                    const GatherSettings& settings, const std::function<void(double)>& progress,
+                                    const std::atomic<bool>* isCancelled) {
   const DirectLight direct(scene, discretization);
-  const Gathering of{scene, discretization, direct, settings};
+  const Gathering of{scene, discretization, direct, settings, isCancelled};
   Magnifications magnifications;
   for (const TexturePlace& place : textures.places)
     magnifications.push_back(textures.textures[static_cast<std::size_t>(place.texture)].magnification);
@@ -398,6 +405,7 @@ GatheredLight gather(const Scene& scene, const Discretization& discretization, c
                            radiosityOf(of, divided, litTexels(of, seen, finer, progress, result)), settings.resolution);
     all = litTexels(of, seenFiner, magnifications, progress, result);
   }
+  if (isTrue(isCancelled)) return std::nullopt;
   const ElementMaterials materials(scene, discretization);
   result.irradiance.resize(all.size());
   raster::parallelFor(all.size(), [&](std::size_t s) {

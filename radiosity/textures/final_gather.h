@@ -12,10 +12,12 @@
 /// is weak.
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <glm/glm.hpp>
+#include <optional>
 #include <vector>
 
 #include "radiosity/discretization/discretization.h"
@@ -49,11 +51,13 @@ struct GatheredLight {
 };
 
 /// Gathers the light of a solution at the texels of the display textures of a layout. `layout` is that of the
-/// discretization. Calls progress(share), with the done share of texels in [0, 1], from one thread at a time. The
-/// result does not depend on the number of threads.
-GatheredLight gather(const Scene& scene, const Discretization& discretization, const IdLayout& layout,
-                     const TextureLayout& textures, const Solution& solution, const GatherSettings& settings = {},
-                     const std::function<void(double)>& progress = {});
+/// discretization. Calls progress(share), with the done share of texels in [0, 1], from one thread at a time. Returns
+/// nothing if `isCancelled` becomes true, soon after. The result does not depend on the number of threads.
+std::optional<GatheredLight> gather(const Scene& scene, const Discretization& discretization, const IdLayout& layout,
+                                    const TextureLayout& textures, const Solution& solution,
+                                    const GatherSettings& settings = {},
+                                    const std::function<void(double)>& progress = {},
+                                    const std::atomic<bool>* isCancelled = nullptr);
 
 /// The texels of each display texture: the irradiance alone, or the radiosity with the maps of materials, in W/m^2.
 std::vector<Image> irradianceTextures(const Discretization& discretization, const TextureLayout& textures,

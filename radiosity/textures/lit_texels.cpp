@@ -95,19 +95,22 @@ constexpr double weakLight = 0.02;
 /// The light of one source at the texels of a surface.
 class SourceTexels {
  public:
-  SourceTexels(const DirectLight& direct, std::size_t source, LitTexels& texels)
+  SourceTexels(const DirectLight& direct, std::size_t source, LitTexels& texels, const std::atomic<bool>* isCancelled)
       : direct_(direct),
         source_(source),
         texels_(texels),
+        isCancelled_(isCancelled),
         factors_(texels.places.size()),
         shares_(texels.places.size(), behind) {}
 
   void add() {
     raster::parallelFor(static_cast<std::size_t>((texels_.rows + block - 1) / block), [&](std::size_t row) {
-      for (int column = 0; column < texels_.columns; column += block) probeBlock(column, static_cast<int>(row) * block);
+      for (int column = 0; column < texels_.columns && !isTrue(isCancelled_); column += block)
+        probeBlock(column, static_cast<int>(row) * block);
     });
     raster::parallelFor(static_cast<std::size_t>(texels_.rows), [&](std::size_t row) {
-      for (int column = 0; column < texels_.columns; ++column) addAt(column, static_cast<int>(row));
+      for (int column = 0; column < texels_.columns && !isTrue(isCancelled_); ++column)
+        addAt(column, static_cast<int>(row));
     });
   }
 
@@ -176,6 +179,7 @@ class SourceTexels {
   const DirectLight& direct_;
   std::size_t source_;
   LitTexels& texels_;
+  const std::atomic<bool>* isCancelled_;
   std::vector<double> factors_;
   std::vector<float> shares_;  ///< in [0, 1], or `behind`
 };
@@ -183,12 +187,14 @@ class SourceTexels {
 }  // namespace
 
 std::vector<LitTexels> directlyLitTexels(const Scene& scene, const Discretization& discretization,
-                                         std::span<const int> magnifications, const DirectLight& direct) {
+                                         std::span<const int> magnifications, const DirectLight& direct,
+                                         const std::atomic<bool>* isCancelled) {
   const std::vector<glm::dvec3> normals = normalsOf(scene, discretization);
   std::vector<LitTexels> all(scene.surfaces.size());
   raster::parallelFor(all.size(), [&](std::size_t s) {
     all[s] = texelsOf(scene, discretization, normals, static_cast<std::uint32_t>(s), magnifications[s]);
-    for (std::size_t source = 0; source < direct.count(); ++source) SourceTexels(direct, source, all[s]).add();
+    for (std::size_t source = 0; source < direct.count(); ++source)
+      SourceTexels(direct, source, all[s], isCancelled).add();
   });
   return all;
 }

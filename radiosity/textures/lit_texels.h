@@ -6,6 +6,7 @@
 /// corners and middle see all of the source, or nothing.
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -31,8 +32,13 @@ struct LitTexels {
 };
 
 /// The texels of all surfaces with their direct light; `seen` is 0. The texture of a surface has a square of
-/// `magnifications` texels along a side per texel of its grid. The same bits for any number of threads.
+/// `magnifications` texels along a side per texel of its grid. The same bits for any number of threads. The result is
+/// incomplete if `isCancelled` becomes true.
 std::vector<LitTexels> directlyLitTexels(const Scene& scene, const Discretization& discretization,
-                                         std::span<const int> magnifications, const DirectLight& direct);
+                                         std::span<const int> magnifications, const DirectLight& direct,
+                                         const std::atomic<bool>* isCancelled = nullptr);
+
+/// Whether a value is there and true.
+inline bool isTrue(const std::atomic<bool>* value) { return value && *value; }
 
 }  // namespace hemitex::radiosity

@@ -30,7 +30,7 @@ struct Room {
         textures(layOutTextures(scene, discretization, {magnification})) {}
 
   GatheredLight gathered(const GatherSettings& settings = {}) const {
-    return gather(scene, discretization, layout, textures, solution, settings);
+    return *gather(scene, discretization, layout, textures, solution, settings);
   }
 };
 
