@@ -7,8 +7,8 @@
 #include "cli/common/json.h"
 #include "cli/common/numbers.h"
 #include "cli/solve/options.h"
+#include "radiosity/gather/final_gather.h"
 #include "radiosity/index_maps/phantom_indices.h"
-#include "radiosity/textures/final_gather.h"
 #include "radiosity/textures/lit_scene.h"
 #include "reference/base/hashes/sha256.h"
 

@@ -9,13 +9,13 @@
 #include <atomic>
 #include <cstddef>
 #include <optional>
-#include <span>
 #include <vector>
 
 #include "radiosity/base/bands.h"
 #include "radiosity/discretization/discretization.h"
+#include "radiosity/gather/direct_light.h"
 #include "radiosity/scene/scene.h"
-#include "radiosity/textures/direct_light.h"
+#include "radiosity/textures/texture_filter.h"
 
 namespace hemitex::radiosity {
 
@@ -24,21 +24,35 @@ struct LitTexels {
   int columns = 1, rows = 1;
   std::vector<std::optional<LitPlace>> places;  ///< none where the surface has no exposed area
   BandTable direct, seen;                       ///< irradiance of each in W/m^2, from sources and from elements
+  /// Whether the texel to the right or the next row show another part of the scene; empty: all are parts of one
+  /// surface.
+  std::vector<bool> isBeforeEdge = {};
 
+  Bands allLight(std::size_t texel) const {
+    Bands sum(seen[texel].begin(), seen[texel].end());
+    addTo(sum, direct[texel]);
+    return sum;
+  }
   double light(std::size_t texel) const { return bandSum(direct[texel]) + bandSum(seen[texel]); }
   std::size_t at(int column, int row) const {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(column);
   }
 };
 
-/// The texels of all surfaces with their direct light; `seen` is 0. The texture of a surface has a square of
-/// `magnifications` texels along a side per texel of its grid. The same bits for any number of threads. The result is
-/// incomplete if `isCancelled` becomes true.
-std::vector<LitTexels> directlyLitTexels(const Scene& scene, const Discretization& discretization,
-                                         std::span<const int> magnifications, const DirectLight& direct,
-                                         const std::atomic<bool>* isCancelled = nullptr);
+/// The number of texels of a texture along the side of a texel of the grid, by surface.
+using Magnifications = std::vector<int>;
 
-/// Whether a value is there and true.
-inline bool isTrue(const std::atomic<bool>* value) { return value && *value; }
+/// The texels of all surfaces, without light.
+std::vector<LitTexels> texelsOf(const Scene& scene, const Discretization& discretization,
+                                const Magnifications& magnifications);
+
+/// Adds the direct light of all sources. The same bits for any number of threads. The light is incomplete if
+/// `isCancelled`, which may be null, becomes true.
+void addDirectLight(const DirectLight& direct, LitTexels& texels, const std::atomic<bool>* isCancelled);
+
+/// The mean normals of the elements of curved surfaces, and 0 for others.
+std::vector<glm::dvec3> smoothNormals(const Scene& scene, const Discretization& discretization);
+/// The filter between them.
+TextureFilter normalFilter(const Grid& grid);
 
 }  // namespace hemitex::radiosity

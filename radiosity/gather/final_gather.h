@@ -17,14 +17,20 @@
 #include <cstdint>
 #include <functional>
 #include <glm/glm.hpp>
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "radiosity/discretization/discretization.h"
+#include "radiosity/discretization/element_materials.h"
+#include "radiosity/gather/direct_light.h"
+#include "radiosity/gather/lit_texels.h"
+#include "radiosity/gather/seen_elements.h"
 #include "radiosity/images/image.h"
 #include "radiosity/index_maps/id_layout.h"
 #include "radiosity/scene/scene.h"
 #include "radiosity/solver/progressive_solver.h"
+#include "radiosity/spectra/colour.h"
 #include "radiosity/textures/texture_layout.h"
 
 namespace hemitex::radiosity {
@@ -50,14 +56,58 @@ struct GatheredLight {
   double error = 0;        ///< root of the mean squared relative error of interpolated texels, as measured at some
 };
 
-/// Gathers the light of a solution at the texels of the display textures of a layout. `layout` is that of the
-/// discretization. Calls progress(share), with the done share of texels in [0, 1], from one thread at a time. Returns
-/// nothing if `isCancelled` becomes true, soon after. The result does not depend on the number of threads.
+/// Who follows a gather, and who ends it.
+struct GatherProgress {
+  std::function<void(double)> show = {};           ///< called with the done share in [0, 1], from one thread at a time
+  const std::atomic<bool>* isCancelled = nullptr;  ///< the gather ends soon after this becomes true
+
+  bool isStopping() const { return isCancelled && *isCancelled; }
+};
+
+/// Gathers the light of a solution at places of its scene. The results do not depend on the number of threads.
+class Gatherer {
+ public:
+  /// `layout` is that of the discretization. Where elements are divided finer, gathers at their texels first, at most
+  /// at those of `textures`. The arguments must outlive this object.
+  Gatherer(const Scene& scene, const Discretization& discretization, const IdLayout& layout,
+           const TextureLayout& textures, const Solution& solution, const GatherSettings& settings,
+           const GatherProgress& progress);
+
+  /// Adds the light of texels that have places, but no light yet.
+  void light(std::vector<LitTexels>& all);
+  /// All light at a place, in W/m^2. Several threads may call it.
+  Bands lightAt(const LitPlace& place);
+  /// Light that arrives at an element of a surface, as colours.
+  glm::dvec3 colourOf(std::uint32_t surface, std::uint32_t element, Bands light) const;
+
+  /// See GatheredLight; the error of the last texels.
+  std::size_t drawn() const { return drawn_; }
+  double error() const { return error_; }
+
+ private:
+  Magnifications finerElements(const Magnifications& texels) const;
+  Discretization dividedFiner(const Magnifications& finer) const;
+  BandTable radiosityOfFiner(const std::vector<LitTexels>& all) const;
+
+  const Scene& scene_;
+  const Discretization& discretization_;
+  const GatherSettings& settings_;
+  const GatherProgress& progress_;
+  ElementMaterials materials_;
+  BandColours colours_;
+  DirectLight direct_;
+  Discretization finer_ = {};  ///< of surfaces with few elements
+  IdLayout finerLayout_ = {};
+  std::unique_ptr<SeenElements> seen_;
+  std::size_t drawn_ = 0;
+  double error_ = 0;
+};
+
+/// Gathers the light of a solution at the texels of the display textures of a layout. Returns nothing if it is
+/// cancelled.
 std::optional<GatheredLight> gather(const Scene& scene, const Discretization& discretization, const IdLayout& layout,
                                     const TextureLayout& textures, const Solution& solution,
-                                    const GatherSettings& settings = {},
-                                    const std::function<void(double)>& progress = {},
-                                    const std::atomic<bool>* isCancelled = nullptr);
+                                    const GatherSettings& settings = {}, const GatherProgress& progress = {});
 
 /// The texels of each display texture: the irradiance alone, or the radiosity with the maps of materials, in W/m^2.
 std::vector<Image> irradianceTextures(const Discretization& discretization, const TextureLayout& textures,

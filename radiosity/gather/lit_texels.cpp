@@ -1,4 +1,4 @@
-#include "radiosity/textures/lit_texels.h"
+#include "radiosity/gather/lit_texels.h"
 
 #include <algorithm>
 #include <cmath>
@@ -46,30 +46,18 @@ std::optional<LitPlace> placeOf(const Surface& surface, const Grid& grid, std::u
   return place;
 }
 
-/// The mean normals of the elements of curved surfaces, and 0 for others.
-std::vector<glm::dvec3> normalsOf(const Scene& scene, const Discretization& discretization) {
-  std::vector<glm::dvec3> normals(discretization.elements.size());
-  for (std::size_t s = 0; s < scene.surfaces.size(); ++s) {
-    if (!scene.surfaces[s].curvedPart) continue;
-    const std::vector<glm::dvec3> means = meanNormals(scene.surfaces[s], discretization.grids[s]);
-    std::copy(means.begin(), means.end(), normals.begin() + discretization.grids[s].firstElement);
-  }
-  return normals;
-}
-
 /// Gives the texels of a curved surface the filtered normals of its elements.
-void smoothNormals(const Scene& scene, const Discretization& discretization, const std::vector<glm::dvec3>& normals,
-                   std::uint32_t surface, int magnification, LitTexels& texels) {
+void smooth(const Scene& scene, const Discretization& discretization, const std::vector<glm::dvec3>& normals,
+            std::uint32_t surface, int magnification, LitTexels& texels) {
   const Grid& grid = discretization.grids[surface];
-  const TextureFilter filter = grid.quadtree ? TextureFilter::OneToOne : TextureFilter::Bicubic;
   const std::vector<glm::dvec3> filtered =
-      filteredTexels(scene, discretization, surface, normals, filter, magnification);
+      filteredTexels(scene, discretization, surface, normals, normalFilter(grid), magnification);
   for (std::size_t i = 0; i < filtered.size(); ++i)
     if (texels.places[i] && glm::dot(filtered[i], texels.places[i]->point.normal) > 0)
       texels.places[i]->point.normal = glm::normalize(filtered[i]);
 }
 
-/// `normals` are normalsOf the scene.
+/// `normals` are smoothNormals of the scene.
 LitTexels texelsOf(const Scene& scene, const Discretization& discretization, const std::vector<glm::dvec3>& normals,
                    std::uint32_t surface, int magnification) {
   const Grid& grid = discretization.grids[surface];
@@ -85,7 +73,7 @@ LitTexels texelsOf(const Scene& scene, const Discretization& discretization, con
       texels.places[texels.at(column, static_cast<int>(row))] =
           placeOf(scene.surfaces[surface], grid, surface, column, static_cast<int>(row), magnification, isPlane);
   });
-  if (scene.surfaces[surface].curvedPart) smoothNormals(scene, discretization, normals, surface, magnification, texels);
+  if (scene.surfaces[surface].curvedPart) smooth(scene, discretization, normals, surface, magnification, texels);
   return texels;
 }
 
@@ -105,16 +93,17 @@ class SourceTexels {
 
   void add() {
     raster::parallelFor(static_cast<std::size_t>((texels_.rows + block - 1) / block), [&](std::size_t row) {
-      for (int column = 0; column < texels_.columns && !isTrue(isCancelled_); column += block)
+      for (int column = 0; column < texels_.columns && !isStopping(); column += block)
         probeBlock(column, static_cast<int>(row) * block);
     });
     raster::parallelFor(static_cast<std::size_t>(texels_.rows), [&](std::size_t row) {
-      for (int column = 0; column < texels_.columns && !isTrue(isCancelled_); ++column)
-        addAt(column, static_cast<int>(row));
+      for (int column = 0; column < texels_.columns && !isStopping(); ++column) addAt(column, static_cast<int>(row));
     });
   }
 
  private:
+  bool isStopping() const { return isCancelled_ && *isCancelled_; }
+
   static constexpr float behind = -1;  ///< the share of a source behind the horizon
   static constexpr int block = 8;      ///< texels along the side
 
@@ -186,17 +175,33 @@ class SourceTexels {
 
 }  // namespace
 
-std::vector<LitTexels> directlyLitTexels(const Scene& scene, const Discretization& discretization,
-                                         std::span<const int> magnifications, const DirectLight& direct,
-                                         const std::atomic<bool>* isCancelled) {
-  const std::vector<glm::dvec3> normals = normalsOf(scene, discretization);
+std::vector<LitTexels> texelsOf(const Scene& scene, const Discretization& discretization,
+                                const Magnifications& magnifications) {
+  const std::vector<glm::dvec3> normals = smoothNormals(scene, discretization);
   std::vector<LitTexels> all(scene.surfaces.size());
   raster::parallelFor(all.size(), [&](std::size_t s) {
     all[s] = texelsOf(scene, discretization, normals, static_cast<std::uint32_t>(s), magnifications[s]);
-    for (std::size_t source = 0; source < direct.count(); ++source)
-      SourceTexels(direct, source, all[s], isCancelled).add();
   });
   return all;
+}
+
+void addDirectLight(const DirectLight& direct, LitTexels& texels, const std::atomic<bool>* isCancelled) {
+  for (std::size_t source = 0; source < direct.count(); ++source)
+    SourceTexels(direct, source, texels, isCancelled).add();
+}
+
+std::vector<glm::dvec3> smoothNormals(const Scene& scene, const Discretization& discretization) {
+  std::vector<glm::dvec3> normals(discretization.elements.size());
+  for (std::size_t s = 0; s < scene.surfaces.size(); ++s) {
+    if (!scene.surfaces[s].curvedPart) continue;
+    const std::vector<glm::dvec3> means = meanNormals(scene.surfaces[s], discretization.grids[s]);
+    std::copy(means.begin(), means.end(), normals.begin() + discretization.grids[s].firstElement);
+  }
+  return normals;
+}
+
+TextureFilter normalFilter(const Grid& grid) {
+  return grid.quadtree ? TextureFilter::OneToOne : TextureFilter::Bicubic;
 }
 
 }  // namespace hemitex::radiosity
