@@ -254,35 +254,14 @@ class Interpolation {
   double squares_ = 0;
 };
 
-/// The light of texels in colours; those without area have that of the nearest one with area.
-std::vector<glm::dvec3> coloursOf(const Gatherer& gatherer, const Discretization& discretization, std::uint32_t surface,
-                                  int magnification, const LitTexels& texels) {
-  const Grid& grid = discretization.grids[surface];
-  const auto columns = static_cast<std::size_t>(texels.columns), m = static_cast<std::size_t>(magnification);
-  std::vector<glm::dvec3> result(texels.places.size());
-  std::vector<bool> covered;
-  for (std::size_t i = 0; i < result.size(); ++i) {
-    covered.push_back(texels.places[i].has_value());
-    const std::uint32_t element =
-        grid.elementOfTexel[i / columns / m * static_cast<std::size_t>(grid.columns) + i % columns / m];
-    result[i] = gatherer.colourOf(surface, element, texels.allLight(i));
-  }
-  if (std::find(covered.begin(), covered.end(), true) == covered.end()) return result;
-  const std::vector<std::uint32_t> nearest = nearestCovered(texels.columns, texels.rows, covered);
-  for (std::size_t i = 0; i < result.size(); ++i)
-    if (!covered[i]) result[i] = result[nearest[i]];
-  return result;
-}
+}  // namespace
 
-/// The number of texels along the side of a grid texel, by surface.
 Magnifications magnificationsOf(const TextureLayout& textures) {
   Magnifications magnifications;
   for (const TexturePlace& place : textures.places)
     magnifications.push_back(textures.textures[static_cast<std::size_t>(place.texture)].magnification);
   return magnifications;
 }
-
-}  // namespace
 
 Gatherer::Gatherer(const Scene& scene, const Discretization& discretization, const IdLayout& layout,
                    const TextureLayout& textures, const Solution& solution, const GatherSettings& settings,
@@ -325,6 +304,24 @@ glm::dvec3 Gatherer::colourOf(std::uint32_t surface, std::uint32_t element, Band
   if (scene_.wavelengths.empty()) return colours_.of(light);
   for (std::size_t band = 0; band < light.size(); ++band) light[band] *= materials_.reflectance(surface, element)[band];
   return irradianceFor(colours_.of(light), glm::dvec3(0), reflectance(scene_, discretization_, element));
+}
+
+std::vector<glm::dvec3> Gatherer::coloursOf(std::uint32_t surface, int magnification, const LitTexels& texels) const {
+  const Grid& grid = discretization_.grids[surface];
+  const auto columns = static_cast<std::size_t>(texels.columns), m = static_cast<std::size_t>(magnification);
+  std::vector<glm::dvec3> result(texels.places.size());
+  std::vector<bool> covered;
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    covered.push_back(texels.places[i].has_value());
+    const std::uint32_t element =
+        grid.elementOfTexel[i / columns / m * static_cast<std::size_t>(grid.columns) + i % columns / m];
+    result[i] = colourOf(surface, element, texels.allLight(i));
+  }
+  if (std::find(covered.begin(), covered.end(), true) == covered.end()) return result;
+  const std::vector<std::uint32_t> nearest = nearestCovered(texels.columns, texels.rows, covered);
+  for (std::size_t i = 0; i < result.size(); ++i)
+    if (!covered[i]) result[i] = result[nearest[i]];
+  return result;
 }
 
 /// How much finer the elements of surfaces become, so that they have as many as the settings ask along the longer side;
@@ -381,8 +378,7 @@ std::optional<GatheredLight> gather(const Scene& scene, const Discretization& di
                        .drawn = gatherer.drawn(),
                        .error = gatherer.error()};
   raster::parallelFor(all.size(), [&](std::size_t s) {
-    result.irradiance[s] =
-        coloursOf(gatherer, discretization, static_cast<std::uint32_t>(s), magnifications[s], all[s]);
+    result.irradiance[s] = gatherer.coloursOf(static_cast<std::uint32_t>(s), magnifications[s], all[s]);
   });
   for (const LitTexels& texels : all)
     result.texels += static_cast<std::size_t>(

@@ -64,6 +64,8 @@ struct GatherProgress {
   bool isStopping() const { return isCancelled && *isCancelled; }
 };
 
+Magnifications magnificationsOf(const TextureLayout& textures);
+
 /// Gathers the light of a solution at places of its scene. The results do not depend on the number of threads.
 class Gatherer {
  public:
@@ -79,6 +81,8 @@ class Gatherer {
   Bands lightAt(const LitPlace& place);
   /// Light that arrives at an element of a surface, as colours.
   glm::dvec3 colourOf(std::uint32_t surface, std::uint32_t element, Bands light) const;
+  /// The light of the texels of a surface in colours; those without area have that of the nearest one with area.
+  std::vector<glm::dvec3> coloursOf(std::uint32_t surface, int magnification, const LitTexels& texels) const;
 
   /// See GatheredLight; the error of the last texels.
   std::size_t drawn() const { return drawn_; }

@@ -3,18 +3,18 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <set>
 
 #include "radiosity/discretization/element_materials.h"
 #include "radiosity/discretization/patch_points.h"
 #include "radiosity/pictures/pictures.h"
 #include "radiosity/pictures/visibility.h"
-#include "radiosity/textures/texture_filter.h"
 #include "raster/base/parallel.h"
 
 namespace hemitex::radiosity {
 namespace {
 
-/// A visible point in space, with the smooth normal of a curved surface.
+/// A visible point in space.
 struct VisiblePoint {
   Visible visible;
   glm::dvec3 position, normal;
@@ -23,21 +23,27 @@ struct VisiblePoint {
 /// The pixels of a picture, and what their middles show.
 class Pixels {
  public:
-  Pixels(const Scene& scene, const Discretization& discretization, const Camera& camera, int width, int height)
+  Pixels(const Scene& scene, const Camera& camera, int width, int height)
       : scene_(scene),
-        discretization_(discretization),
         eye_(camera.eye),
         axes_(axesOf(camera)),
         width_(width),
         height_(height),
-        side_(2 * tangentOfDegrees(camera.fov / 2) / height),
-        normals_(smoothNormals(scene, discretization)) {
+        side_(2 * tangentOfDegrees(camera.fov / 2) / height) {
     for (const std::optional<Visible>& visible : visibleSamples(scene, camera, width, height))
       points_.push_back(visible ? std::optional(pointOf(*visible)) : std::nullopt);
   }
 
   /// Row by row from the top; nothing for the background.
   const std::vector<std::optional<VisiblePoint>>& points() const { return points_; }
+
+  /// The curved surfaces that pixels show.
+  std::vector<std::uint32_t> curvedSurfaces() const {
+    std::set<std::uint32_t> surfaces;
+    for (const auto& point : points_)
+      if (point && scene_.surfaces[point->visible.surface].curvedPart) surfaces.insert(point->visible.surface);
+    return {surfaces.begin(), surfaces.end()};
+  }
 
   VisiblePoint pointOf(const Visible& visible) const {
     const Instance& instance = scene_.instances[visible.instance];
@@ -55,7 +61,7 @@ class Pixels {
     return distance <= side_ * depthOf(one.position);
   }
 
-  /// The pixels as texels without light, row by row from the top.
+  /// The pixels as texels without light, row by row from the top; those of curved surfaces have no place.
   LitTexels texels() const {
     LitTexels texels;
     texels.columns = width_;
@@ -68,7 +74,7 @@ class Pixels {
         texels.isBeforeEdge[at(column, row)] = isEdge(column, row, 1, 0) || isEdge(column, row, 0, 1);
     for (int row = 0; row < height_; ++row)
       for (int column = 0; column < width_; ++column)
-        if (const auto& point = points_[at(column, row)])
+        if (const auto& point = points_[at(column, row)]; point && !scene_.surfaces[point->visible.surface].curvedPart)
           texels.places[at(column, row)] = placeOf(*point, isInside(column, row));
     return texels;
   }
@@ -118,43 +124,66 @@ class Pixels {
 
   double depthOf(const glm::dvec3& position) const { return glm::dot(axes_.forward, position - eye_); }
 
-  /// Whether the pixel beside another is of another part. No edge is at the border of the picture.
+  /// Whether the next pixel is of another part. No edge is at the border of the picture.
   bool isEdge(int column, int row, int right, int down) const {
-    if (column + right < 0 || column + right >= width_ || row + down < 0 || row + down >= height_) return false;
+    if (column + right >= width_ || row + down >= height_) return false;
     const auto &one = points_[at(column, row)], &other = points_[at(column + right, row + down)];
     return one && other ? !areTogether(*one, *other) : one.has_value() != other.has_value();
   }
 
   /// Whether all of a pixel shows a plane.
   bool isInside(int column, int row) const {
-    if (scene_.surfaces[points_[at(column, row)]->visible.surface].curvedPart) return false;
-    return !isEdge(column, row, 1, 0) && !isEdge(column, row, -1, 0) && !isEdge(column, row, 0, 1) &&
-           !isEdge(column, row, 0, -1);
+    const VisiblePoint& point = *points_[at(column, row)];
+    for (const glm::ivec2& step : {glm::ivec2(1, 0), {-1, 0}, {0, 1}, {0, -1}}) {
+      const glm::ivec2 next = glm::ivec2(column, row) + step;
+      if (next.x < 0 || next.x >= width_ || next.y < 0 || next.y >= height_) continue;
+      const auto& other = points_[at(next.x, next.y)];
+      if (!other || other->visible.surface != point.visible.surface ||
+          std::abs(glm::dot(point.normal, other->position - point.position)) > contactTolerance(scene_))
+        return false;
+    }
+    return true;
   }
 
   /// In the first instance.
   SurfacePoint surfacePoint(const Visible& visible) const {
-    const Surface& surface = scene_.surfaces[visible.surface];
-    SurfacePoint point = pointOn(surface, visible.triangle, {visible.weights.y, visible.weights.z});
-    if (!surface.curvedPart) return point;
-    const Grid& grid = discretization_.grids[visible.surface];
-    const auto& [a, b, c] = surface.triangles[visible.triangle].chart;
-    const glm::dvec2 chart = visible.weights.x * a + visible.weights.y * b + visible.weights.z * c;
-    const glm::dvec3 smooth =
-        filteredValue(grid, normals_, normalFilter(grid), chart * glm::dvec2(grid.columns, grid.rows));
-    if (glm::dot(smooth, point.normal) > 0) point.normal = glm::normalize(smooth);
-    return point;
+    return pointOn(scene_.surfaces[visible.surface], visible.triangle, {visible.weights.y, visible.weights.z});
   }
 
   const Scene& scene_;
-  const Discretization& discretization_;
   glm::dvec3 eye_;
   CameraAxes axes_;
   int width_, height_;
-  double side_;                      ///< of a pixel at depth 1
-  std::vector<glm::dvec3> normals_;  ///< of elements
+  double side_;  ///< of a pixel at depth 1
   std::vector<std::optional<VisiblePoint>> points_;
 };
+
+/// The irradiance of the texels of a curved surface. Its facets shade each other, so that points would differ from
+/// their neighbours.
+struct CurvedLight {
+  int columns = 0, rows = 0;
+  std::vector<glm::dvec3> texels;  ///< row by row from v = 0
+
+  /// Bilinear between the middles of texels, at a place of the chart.
+  glm::dvec3 at(const glm::dvec2& chart) const {
+    const glm::dvec2 place =
+        glm::clamp(chart * glm::dvec2(columns, rows) - 0.5, glm::dvec2(0), glm::dvec2(columns - 1, rows - 1));
+    const int left = std::min(static_cast<int>(place.x), std::max(columns - 2, 0)),
+              low = std::min(static_cast<int>(place.y), std::max(rows - 2, 0));
+    const auto texel = [&](int column, int row) {
+      return texels[static_cast<std::size_t>(std::min(row, rows - 1)) * static_cast<std::size_t>(columns) +
+                    static_cast<std::size_t>(std::min(column, columns - 1))];
+    };
+    const glm::dvec2 share = place - glm::dvec2(left, low);
+    return glm::mix(glm::mix(texel(left, low), texel(left + 1, low), share.x),
+                    glm::mix(texel(left, low + 1), texel(left + 1, low + 1), share.x), share.y);
+  }
+};
+
+glm::dvec2 chartOf(const Scene& scene, const Visible& visible) {
+  const auto& [a, b, c] = scene.surfaces[visible.surface].triangles[visible.triangle].chart;
+  return visible.weights.x * a + visible.weights.y * b + visible.weights.z * c;
+}
 
 /// The radiosity of a visible point with an irradiance: that of its element, or with the maps of its surface.
 glm::dvec3 radiosityAt(const Scene& scene, const Discretization& discretization, const Visible& visible,
@@ -179,30 +208,43 @@ GatheredPicture gatheredPicture(const Scene& scene, const Discretization& discre
                                 const glm::dvec3& background, const GatherSettings& settings,
                                 const GatherProgress& progress) {
   const TextureLayout textures = layOutTextures(scene, discretization, {{}, maxGatheredTexels});
-  const Pixels pixels(scene, discretization, camera, width, height);
+  const Pixels pixels(scene, camera, width, height);
   Gatherer gatherer(scene, discretization, layout, textures, solution, settings, progress);
   std::vector<LitTexels> all{pixels.texels()};
+  const std::vector<std::uint32_t> curved = pixels.curvedSurfaces();
+  const Magnifications magnifications = magnificationsOf(textures);
+  const std::vector<glm::dvec3> normals = smoothNormals(scene, discretization);
+  for (const std::uint32_t s : curved) all.push_back(texelsOf(scene, discretization, normals, s, magnifications[s]));
   gatherer.light(all);
+  std::vector<CurvedLight> curvedLight(scene.surfaces.size());
+  for (std::size_t k = 0; k < curved.size(); ++k)
+    curvedLight[curved[k]] = {all[k + 1].columns, all[k + 1].rows,
+                              gatherer.coloursOf(curved[k], magnifications[curved[k]], all[k + 1])};
   const LitTexels& lit = all.front();
   std::vector<std::optional<glm::dvec3>> irradiance(lit.places.size());
   GatheredPicture picture;
   picture.error = gatherer.error();
   for (std::size_t i = 0; i < irradiance.size(); ++i) {
-    if (!lit.places[i]) continue;
-    irradiance[i] = gatherer.colourOf(lit.places[i]->surface,
-                                      elementAt(scene, discretization, pixels.points()[i]->visible), lit.allLight(i));
-    ++picture.pixels;
+    if (pixels.points()[i]) ++picture.pixels;
+    if (lit.places[i])
+      irradiance[i] = gatherer.colourOf(lit.places[i]->surface,
+                                        elementAt(scene, discretization, pixels.points()[i]->visible), lit.allLight(i));
   }
   std::atomic<std::size_t> drawn = gatherer.drawn();
   picture.image = drawPicture(
       scene, camera, width, height,
       [&](const Visible& visible) {
-        const VisiblePoint point = pixels.pointOf(visible);
         const std::uint32_t element = elementAt(scene, discretization, visible);
-        std::optional<glm::dvec3> light = pixels.interpolated(irradiance, point);
-        if (!light) {
-          ++drawn;
-          light = gatherer.colourOf(visible.surface, element, gatherer.lightAt(pixels.placeOf(point, false)));
+        std::optional<glm::dvec3> light;
+        if (const CurvedLight& texels = curvedLight[visible.surface]; texels.columns > 0) {
+          light = texels.at(chartOf(scene, visible));
+        } else {
+          const VisiblePoint point = pixels.pointOf(visible);
+          light = pixels.interpolated(irradiance, point);
+          if (!light) {
+            ++drawn;
+            light = gatherer.colourOf(visible.surface, element, gatherer.lightAt(pixels.placeOf(point, false)));
+          }
         }
         return glm::min(exposure * radiosityAt(scene, discretization, visible, element, *light), glm::dvec3(1));
       },

@@ -3,7 +3,7 @@
 /// The points that pixels show are lit as texels are (final_gather.h). A hemicube over a point shows elements of the
 /// solution; few points have one, and the others are interpolated where the picture has no edge. Direct light is
 /// computed at each point. Between points it is interpolated in the parts of the picture that belong together. Samples
-/// that no point belongs to have light of their own.
+/// that no point belongs to have light of their own. Curved surfaces have the light of their texels.
 #pragma once
 
 #include <cstddef>

@@ -50,31 +50,12 @@ std::optional<LitPlace> placeOf(const Surface& surface, const Grid& grid, std::u
 void smooth(const Scene& scene, const Discretization& discretization, const std::vector<glm::dvec3>& normals,
             std::uint32_t surface, int magnification, LitTexels& texels) {
   const Grid& grid = discretization.grids[surface];
+  const TextureFilter filter = grid.quadtree ? TextureFilter::OneToOne : TextureFilter::Bicubic;
   const std::vector<glm::dvec3> filtered =
-      filteredTexels(scene, discretization, surface, normals, normalFilter(grid), magnification);
+      filteredTexels(scene, discretization, surface, normals, filter, magnification);
   for (std::size_t i = 0; i < filtered.size(); ++i)
     if (texels.places[i] && glm::dot(filtered[i], texels.places[i]->point.normal) > 0)
       texels.places[i]->point.normal = glm::normalize(filtered[i]);
-}
-
-/// `normals` are smoothNormals of the scene.
-LitTexels texelsOf(const Scene& scene, const Discretization& discretization, const std::vector<glm::dvec3>& normals,
-                   std::uint32_t surface, int magnification) {
-  const Grid& grid = discretization.grids[surface];
-  LitTexels texels;
-  texels.columns = grid.columns * magnification;
-  texels.rows = grid.rows * magnification;
-  const std::size_t count = static_cast<std::size_t>(texels.columns) * static_cast<std::size_t>(texels.rows);
-  texels.places.resize(count);
-  texels.direct = texels.seen = BandTable(count, bandCount(scene));
-  const bool isPlane = isFlat(scene, scene.surfaces[surface]);
-  raster::parallelFor(static_cast<std::size_t>(texels.rows), [&](std::size_t row) {
-    for (int column = 0; column < texels.columns; ++column)
-      texels.places[texels.at(column, static_cast<int>(row))] =
-          placeOf(scene.surfaces[surface], grid, surface, column, static_cast<int>(row), magnification, isPlane);
-  });
-  if (scene.surfaces[surface].curvedPart) smooth(scene, discretization, normals, surface, magnification, texels);
-  return texels;
 }
 
 /// A source is weak at texels where it raises the light of the sources before it by no more than this share.
@@ -200,8 +181,23 @@ std::vector<glm::dvec3> smoothNormals(const Scene& scene, const Discretization& 
   return normals;
 }
 
-TextureFilter normalFilter(const Grid& grid) {
-  return grid.quadtree ? TextureFilter::OneToOne : TextureFilter::Bicubic;
+LitTexels texelsOf(const Scene& scene, const Discretization& discretization, const std::vector<glm::dvec3>& normals,
+                   std::uint32_t surface, int magnification) {
+  const Grid& grid = discretization.grids[surface];
+  LitTexels texels;
+  texels.columns = grid.columns * magnification;
+  texels.rows = grid.rows * magnification;
+  const std::size_t count = static_cast<std::size_t>(texels.columns) * static_cast<std::size_t>(texels.rows);
+  texels.places.resize(count);
+  texels.direct = texels.seen = BandTable(count, bandCount(scene));
+  const bool isPlane = isFlat(scene, scene.surfaces[surface]);
+  raster::parallelFor(static_cast<std::size_t>(texels.rows), [&](std::size_t row) {
+    for (int column = 0; column < texels.columns; ++column)
+      texels.places[texels.at(column, static_cast<int>(row))] =
+          placeOf(scene.surfaces[surface], grid, surface, column, static_cast<int>(row), magnification, isPlane);
+  });
+  if (scene.surfaces[surface].curvedPart) smooth(scene, discretization, normals, surface, magnification, texels);
+  return texels;
 }
 
 }  // namespace hemitex::radiosity

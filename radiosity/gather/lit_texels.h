@@ -15,7 +15,6 @@
 #include "radiosity/discretization/discretization.h"
 #include "radiosity/gather/direct_light.h"
 #include "radiosity/scene/scene.h"
-#include "radiosity/textures/texture_filter.h"
 
 namespace hemitex::radiosity {
 
@@ -52,7 +51,8 @@ void addDirectLight(const DirectLight& direct, LitTexels& texels, const std::ato
 
 /// The mean normals of the elements of curved surfaces, and 0 for others.
 std::vector<glm::dvec3> smoothNormals(const Scene& scene, const Discretization& discretization);
-/// The filter between them.
-TextureFilter normalFilter(const Grid& grid);
+/// The texels of one surface, without light; `normals` are smoothNormals of the scene.
+LitTexels texelsOf(const Scene& scene, const Discretization& discretization, const std::vector<glm::dvec3>& normals,
+                   std::uint32_t surface, int magnification);
 
 }  // namespace hemitex::radiosity

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "radiosity/images/image.h"
+#include "radiosity/scene/scene.h"
 #include "tests/support/shell.h"
 
 using namespace hemitex;
@@ -54,4 +55,40 @@ TEST_CASE("A signal ends the gather of a solve and writes filtered textures; a s
   CHECK(json["interrupted"] == true);
   CHECK_FALSE(json.contains("gather"));
   CHECK(json["settings"]["filter"] == "bicubic");
+}
+
+TEST_CASE("render --gather shows the light of a folder and of its scene, which the folder of maps does not hold",
+          "[cli][gather]") {
+  const Shell shell;
+  const std::string solve = "solve room.obj --texels 8 --resolution 64 --size 40x30 ", size = " --gather --size 40x30 ";
+  shell.output(solve + "-o lit");
+  const std::string exposure =
+      " --exposure " + nlohmann::json::parse(shell.files().at("lit/solution.json"))["settings"]["exposure"].dump();
+  shell.output("render lit" + size + "-o a.png");
+  shell.output("render room.obj --texels 8 --resolution 64" + size + exposure + " -o b.png");
+  shell.output(solve + "--gather -o gathered" + exposure);
+  shell.output("render gathered/scene.obj --show elements --size 40x30 -o c.png");
+  shell.output("render lit/scene.obj --show elements --size 40x30 -o d.png");
+  const auto mean = [&](const std::string& one, const std::string& other) {
+    const radiosity::Image a = radiosity::readImage(shell.file(one)), b = radiosity::readImage(shell.file(other));
+    double sum = 0, difference = 0;
+    for (std::size_t i = 0; i < a.pixels.size(); ++i) {
+      sum += radiosity::bandSum(a.pixels[i]);
+      difference += radiosity::bandSum(glm::abs(a.pixels[i] - b.pixels[i]));
+    }
+    return difference / sum;
+  };
+  CHECK(mean("a.png", "b.png") < 0.01);
+  CHECK(mean("a.png", "gathered/render.png") < 0.02);
+  CHECK(mean("c.png", "d.png") < 0.05);
+
+  writeAll(shell.file("out.obj"), "mtllib out.mtl\nusemtl m\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  writeAll(shell.file("out.mtl"), "newmtl m\nKe 1 1 1\nmap_Ke map.png\n");
+  radiosity::writePng(shell.file("map.png"), {2, 1, {glm::dvec3(0.5), glm::dvec3(1)}});
+  shell.output("solve out.obj --texels 2 --size 40x30 -o mapped");
+  const Outcome refused = shell.run("render mapped" + size + "-o e.png");
+  CHECK(refused.exitCode == 2);
+  CHECK(refused.err.find("does not hold the maps of materials that its light needs") != std::string::npos);
+  CHECK_FALSE(shell.files().contains("e.png"));
+  shell.output("render out.obj" + size + "-o e.png");
 }
