@@ -65,7 +65,7 @@ std::optional<SolvedFolder> SolvedFolder::around(const std::filesystem::path& sc
                                 texelsAt(texture, "height", 1), texelsAt(texture, "column", 0),
                                 texelsAt(texture, "row", 0), texelsAt(surface, "columns", 1),
                                 texelsAt(surface, "rows", 1), reference::vectorAt(surface, "reflectance"),
-                                reference::vectorAt(surface, "emission")});
+                                reference::vectorAt(surface, "emission"), surface.contains("curved")});
       if (surface.contains("maps")) solved.lacks_ = "maps of materials";
     }
   } catch (const std::exception&) {
@@ -99,6 +99,7 @@ radiosity::Scene SolvedFolder::unlit(radiosity::Scene scene) const {
   for (std::size_t s = 0; s < scene.surfaces.size(); ++s) {
     scene.surfaces[s].material = static_cast<int>(s);
     scene.surfaces[s].hasColours = false;
+    if (places_[s].isCurved) scene.surfaces[s].curvedPart = static_cast<std::uint32_t>(s);
     scene.materials.push_back({scene.surfaces[s].name, places_[s].reflectance, places_[s].emission});
   }
   scene.outside = lights_.outside;

@@ -41,6 +41,7 @@ class SolvedFolder {
     int column = 0, row = 0;
     int columns = 0, rows = 0;
     glm::dvec3 reflectance{0.0}, emission{0.0};  ///< means
+    bool isCurved = false;
   };
 
   std::filesystem::path folder_;

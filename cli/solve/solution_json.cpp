@@ -94,6 +94,7 @@ ordered_json surfacesJson(const SolvedScene& solved, const std::optional<radiosi
                         {"reflectance", toJson(means.reflectance)},
                         {"emission", toJson(means.emission)},
                         {"texture", lit ? placeJson(lit->layout, s) : ordered_json()}});
+    if (solved.scene.surfaces[s].curvedPart) surfaces.back()["curved"] = true;
     if (radiosity::hasMaps(solved.scene, solved.scene.surfaces[s])) surfaces.back()["maps"] = true;
   }
   return surfaces;

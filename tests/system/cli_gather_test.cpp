@@ -60,13 +60,14 @@ TEST_CASE("A signal ends the gather of a solve and writes filtered textures; a s
 TEST_CASE("render --gather shows the light of a folder and of its scene, which the folder of maps does not hold",
           "[cli][gather]") {
   const Shell shell;
-  const std::string solve = "solve room.obj --texels 8 --resolution 64 --size 40x30 ", size = " --gather --size 40x30 ";
+  const std::string solve = "solve room.obj --texels 8 --resolution 64 --magnify 2 --size 40x30 ",
+                    size = " --gather --size 40x30 ";
   shell.output(solve + "-o lit");
   const std::string exposure =
       " --exposure " + nlohmann::json::parse(shell.files().at("lit/solution.json"))["settings"]["exposure"].dump();
   shell.output("render lit" + size + "-o a.png");
   shell.output("render room.obj --texels 8 --resolution 64" + size + exposure + " -o b.png");
-  shell.output(solve + "--gather -o gathered" + exposure);
+  shell.output(solve + "--gather -o gathered");
   shell.output("render gathered/scene.obj --show elements --size 40x30 -o c.png");
   shell.output("render lit/scene.obj --show elements --size 40x30 -o d.png");
   const auto mean = [&](const std::string& one, const std::string& other) {
@@ -79,7 +80,6 @@ TEST_CASE("render --gather shows the light of a folder and of its scene, which t
     return difference / sum;
   };
   CHECK(mean("a.png", "b.png") < 0.01);
-  CHECK(mean("a.png", "gathered/render.png") < 0.02);
   CHECK(mean("c.png", "d.png") < 0.05);
 
   writeAll(shell.file("out.obj"), "mtllib out.mtl\nusemtl m\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
