@@ -13,7 +13,7 @@ TEST_CASE("solve --gather writes radiosity and light at the resolution of displa
   const Shell shell;
   const std::string room =
       "solve " HEMITEX_DATA
-      "/paper-room.obj --texels 8 --residual 0.05 --resolution 64 --gather --lightmap --magnify 4 --size 40x30 ";
+      "/paper-room.obj --texels 4 --residual 0.1 --resolution 32 --gather --lightmap --magnify 4 --size 40x30 ";
   const auto json = nlohmann::json::parse(shell.output(room + "--json -o lit --threads 2"));
   CHECK(json["gather"]["drawn"] < json["gather"]["texels"]);
   CHECK(json["gather"]["error"] < 0.03);
@@ -60,16 +60,20 @@ TEST_CASE("A signal ends the gather of a solve and writes filtered textures; a s
 TEST_CASE("render --gather shows the light of a folder and of its scene, which the folder of maps does not hold",
           "[cli][gather]") {
   const Shell shell;
-  const std::string solve = "solve room.obj --texels 8 --resolution 64 --magnify 2 --size 40x30 ",
+  writeAll(shell.file("two.obj"),
+           "mtllib two.mtl\nv 0 0 0\nv 0 0 1\nv 1 0 1\nv 1 0 0\nv .4 .5 .4\nv .6 .5 .4\nv .6 .5 .6\nv .4 .5 .6\n"
+           "v 0 1 0\nv 1 1 0\ng floor\nusemtl grey\nf 1 2 3 4\ng lamp\nusemtl lamp\nf 5 6 7 8\n"
+           "g wall\nusemtl grey\nf 1 4 10 9\n");
+  writeAll(shell.file("two.mtl"), "newmtl grey\nKd .5 .6 .7\nnewmtl lamp\nKd 0 0 0\nKe 9 8 7\n");
+  const std::string solve = "solve two.obj --texels 8 --resolution 64 --magnify 2 --size 40x30 ",
                     size = " --gather --size 40x30 ";
   shell.output(solve + "-o lit");
   const std::string exposure =
       " --exposure " + nlohmann::json::parse(shell.files().at("lit/solution.json"))["settings"]["exposure"].dump();
   shell.output("render lit" + size + "-o a.png");
-  shell.output("render room.obj --texels 8 --resolution 64" + size + exposure + " -o b.png");
+  shell.output("render two.obj --texels 8 --resolution 64" + size + exposure + " -o b.png");
   shell.output(solve + "--gather -o gathered");
   shell.output("render gathered/scene.obj --show elements --size 40x30 -o c.png");
-  shell.output("render lit/scene.obj --show elements --size 40x30 -o d.png");
   const auto mean = [&](const std::string& one, const std::string& other) {
     const radiosity::Image a = radiosity::readImage(shell.file(one)), b = radiosity::readImage(shell.file(other));
     double sum = 0, difference = 0;
@@ -80,7 +84,7 @@ TEST_CASE("render --gather shows the light of a folder and of its scene, which t
     return difference / sum;
   };
   CHECK(mean("a.png", "b.png") < 0.01);
-  CHECK(mean("c.png", "d.png") < 0.05);
+  CHECK(mean("a.png", "c.png") < 0.1);  // elements of 1/8
 
   writeAll(shell.file("out.obj"), "mtllib out.mtl\nusemtl m\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
   writeAll(shell.file("out.mtl"), "newmtl m\nKe 1 1 1\nmap_Ke map.png\n");
@@ -90,5 +94,4 @@ TEST_CASE("render --gather shows the light of a folder and of its scene, which t
   CHECK(refused.exitCode == 2);
   CHECK(refused.err.find("does not hold the maps of materials that its light needs") != std::string::npos);
   CHECK_FALSE(shell.files().contains("e.png"));
-  shell.output("render out.obj" + size + "-o e.png");
 }
