@@ -290,8 +290,8 @@ void addRender(Command program, Context& context) {
   addSceneOptions(command, options->scene);
   addDiscretizationOptions(command, options->discretization);
   addIdOptions(command, options->id);
-  command.showFirst({"--output", "--show", "--gather", "--from", "--resolution", "--eye", "--look-at", "--fov",
-                     "--size", "--exposure", "--texels"});
+  command.showFirst({"--output", "--show", "--gather", "--resolution", "--eye", "--look-at", "--fov", "--size",
+                     "--exposure", "--texels"});
   command.addExamples({"lit/scene.obj -o picture.png", "lit -o picture.png --gather --eye 1,2,3 --look-at 0,1,0",
                        "data/cornell-box.obj -o picture.png --gather",
                        "data/cornell-box.obj -o hemicube.png --show hemicube --from light"});
