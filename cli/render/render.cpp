@@ -292,9 +292,8 @@ void addRender(Command program, Context& context) {
   addIdOptions(command, options->id);
   command.showFirst({"--output", "--show", "--gather", "--resolution", "--eye", "--look-at", "--fov", "--size",
                      "--exposure", "--texels"});
-  command.addExamples({"lit/scene.obj -o picture.png", "lit -o picture.png --gather --eye 1,2,3 --look-at 0,1,0",
-                       "data/cornell-box.obj -o picture.png --gather",
-                       "data/cornell-box.obj -o hemicube.png --show hemicube --from light"});
+  command.addExamples(
+      {"lit/scene.obj -o picture.png --gather", "data/cornell-box.obj -o hemicube.png --show hemicube --from light"});
   command.onRead([options, command, &context] {
     if (options->output.extension() != ".png") usageError("--output", "the name of the picture must end in .png");
     if (options->gather) options->show = gatheredView;
