@@ -1,11 +1,13 @@
 /// `hemitex render`: draws pictures of a scene, solved or not. They show its light, item IDs, index maps or projections
 /// (Figures 2 and 3 of Nielsen and Christensen 2002).
 #include <algorithm>
+#include <cmath>
 #include <iostream>
 #include <memory>
 
 #include "cli/common/commands.h"
 #include "cli/common/json.h"
+#include "cli/common/numbers.h"
 #include "cli/common/staging.h"
 #include "cli/render/solved_folder.h"
 #include "cli/scene/camera_options.h"
@@ -13,12 +15,17 @@
 #include "cli/scene/sealed_folder.h"
 #include "cli/scene/source_names.h"
 #include "radiosity/discretization/patch_points.h"
+#include "radiosity/gather/gathered_picture.h"
 #include "radiosity/index_maps/scene_draw_list.h"
+#include "radiosity/light/light.h"
+#include "radiosity/meshes/length_unit.h"
 #include "radiosity/pictures/id_pictures.h"
+#include "radiosity/pictures/picture_exposure.h"
 #include "radiosity/pictures/pictures.h"
 #include "radiosity/projection/projection.h"
 #include "radiosity/projection/projection_kinds.h"
 #include "radiosity/scene/load_scene.h"
+#include "radiosity/textures/radiosity_texture.h"
 #include "raster/base/input_error.h"
 #include "raster/software/software_renderer.h"
 
@@ -44,6 +51,7 @@ struct RenderOptions {
   radiosity::IdSettings id;
   CameraOptions camera;
   View show = nullptr;
+  bool gather = false;  ///< the light of pixels is gathered
   bool mesh = false;
   std::string from;
   int resolution = 256;
@@ -61,7 +69,12 @@ Subject subjectOf(const RenderOptions& options, Console& console) {
   if (subject.solved && options.scene.materials.areGiven())
     throw raster::InputError(options.scene.file.string(), 0, "is a solved scene, whose light cannot change",
                              "solve the scene with --emit, --reflectance or --lights");
-  if (!subject.solved) console.warnings(subject.scene.warnings);  // a lit scene has reflectance 1 on purpose
+  if (!subject.solved) {  // a lit scene has reflectance 1 on purpose
+    console.warnings(subject.scene.warnings);
+    std::vector<std::string> warnings;
+    const double metres = radiosity::statedMetresPerUnit(options.scene.file, warnings).value_or(1);
+    subject.scene.squareMetres = metres * metres;
+  }
   subject.camera = cameraOf(options.camera, subject.scene, options.scene.file);
   return subject;
 }
@@ -91,6 +104,58 @@ Image radiosityView(const RenderOptions& options, const Subject& subject, Consol
   radiosity::Scene exposed = subject.scene;
   subject.solved->expose(exposed, *options.camera.exposure);
   return radiosity::unlitPicture(exposed, subject.camera, width, height, sky);
+}
+
+/// Solves a scene by default settings, as `hemitex solve` does.
+radiosity::Light lightOf(const RenderOptions& options, const Subject& subject, Console& console) {
+  requireLight(subject.scene, options.scene.file);
+  radiosity::LightHooks hooks;
+  hooks.layOut = [&](const radiosity::Discretization& elements) { return layoutOf(options.id, elements); };
+  hooks.start = [&](const radiosity::SolverSettings& settings) {
+    return radiosity::SolutionStart{{}, [&](const radiosity::Step& step) {
+                                      console.progress(std::log(step.residual) / std::log(settings.residual),
+                                                       "shot " + std::to_string(step.shots));
+                                      return true;
+                                    }};
+  };
+  radiosity::Light light = radiosity::light(subject.scene, discretizationOf(options.discretization, subject.scene),
+                                            {.drawing = {.resolution = options.resolution},
+                                             .solver = {.residual = radiosity::defaultResidual(subject.scene)},
+                                             .seen = surfacesSeen(options.camera, subject.scene, subject.camera)},
+                                            hooks);
+  console.endProgress();
+  return light;
+}
+
+/// The light that pixels gather, from a solved folder or from a scene, which is solved first.
+Image gatheredView(const RenderOptions& options, const Subject& subject, Console& console) {
+  radiosity::Scene scene = subject.scene;
+  radiosity::Light light;
+  if (subject.solved) {
+    if (options.gridsGiven)
+      throw raster::InputError(options.scene.file.string(), 0, "is solved", "leave out the options for texels");
+    scene = subject.solved->unlit(std::move(scene));
+    light.discretization = discretizationOf(subject.solved->grids(scene), scene);
+    light.layout = radiosity::layOut(light.discretization);
+    light.solution.radiosity = subject.solved->radiosity(light.discretization);
+  } else {
+    light = lightOf(options, subject, console);
+  }
+  const int width = options.camera.width, height = options.camera.height;
+  const auto displayed = [&](std::uint32_t element) {
+    return radiosity::displayRadiosity(scene, light.discretization, light.solution, element);
+  };
+  const double exposure = subject.solved ? exposureOf(options, *subject.solved)
+                                         : options.camera.exposure.value_or(radiosity::pictureExposure(
+                                               scene, light.discretization, displayed, subject.camera, width, height));
+  radiosity::GatheredPicture picture = radiosity::gatheredPicture(
+      scene, light.discretization, light.layout, light.solution, subject.camera, width, height, exposure,
+      radiosity::skyColour(scene.outside.sky, exposure), {},
+      {.show = [&](double done) { console.progress(done, "gathering"); }, .isCancelled = nullptr});
+  console.endProgress();
+  console.message(std::to_string(picture.drawn) + " hemicubes gathered the light of " + std::to_string(picture.pixels) +
+                  " pixels; between them the rms error is " + percentText(picture.error));
+  return std::move(picture.image);
 }
 
 /// The light of each element, without filtering (Figure 3).
@@ -213,6 +278,11 @@ void addRender(Command program, Context& context) {
       "or the largest index map (map) (default radiosity)");
   addChoice<bool>(picture, "--discretize", options->mesh, {{"texture", false}, {"mesh", true}},
                   "with --show wireframe, draw the edges of polygons, or of the mesh of elements (default texture)");
+  picture
+      .addFlag("--gather", options->gather,
+               "compute the light of each pixel from all that its point sees, as a path tracer does, without noise; a "
+               "scene that is not solved is solved first")
+      .excludes(picture.option("--show"));
   picture.addText("--from", "SURFACE[:COL,ROW]",
                   "surface or texel under the projection (default: the first surface with emission)", options->from);
   addResolution(picture, options->resolution);
@@ -220,12 +290,14 @@ void addRender(Command program, Context& context) {
   addSceneOptions(command, options->scene);
   addDiscretizationOptions(command, options->discretization);
   addIdOptions(command, options->id);
-  command.showFirst({"--output", "--show", "--from", "--resolution", "--eye", "--look-at", "--fov", "--size",
+  command.showFirst({"--output", "--show", "--gather", "--resolution", "--eye", "--look-at", "--fov", "--size",
                      "--exposure", "--texels"});
   command.addExamples(
-      {"lit/scene.obj -o picture.png", "data/cornell-box.obj -o hemicube.png --show hemicube --from light"});
+      {"lit/scene.obj -o picture.png --gather", "data/cornell-box.obj -o hemicube.png --show hemicube --from light"});
   command.onRead([options, command, &context] {
     if (options->output.extension() != ".png") usageError("--output", "the name of the picture must end in .png");
+    if (options->gather) options->show = gatheredView;
+    if (std::filesystem::is_directory(options->scene.file)) options->scene.file /= "scene.obj";
     for (const char* name : {"--texels", "--texel-size", "--surface"}) options->gridsGiven |= command.isGiven(name);
     context.command = [options, &context] { render(*options, context); };
   });

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/scene/lit_surfaces.h"
+#include "cli/scene/material_options.h"
 #include "cli/scene/sealed_folder.h"
 #include "radiosity/images/image.h"
 #include "raster/base/file_io.h"
@@ -51,7 +52,11 @@ std::optional<SolvedFolder> SolvedFolder::around(const std::filesystem::path& sc
     solved.settings_.patch = texelsAt(settings, "patch", 1);
     if (const json& size = settings.at("texel_size"); !size.is_null()) solved.settings_.texelSize = size.get<double>();
     solved.exposure_ = settings.at("exposure").get<double>();
-    if (settings.contains("sky")) solved.sky_ = reference::vectorAt(settings, "sky");
+    restoreLights(solved.lights_, settings);
+    const double metres = settings.value("metres_per_unit", 1.0);
+    solved.lights_.squareMetres = metres * metres;
+    if (settings.contains("symmetry")) solved.lacks_ = "images by symmetry";
+    if (solution.contains("bands")) solved.lacks_ = "spectra";
     const json& surfaces = solution.at("surfaces");
     for (const std::uint32_t number : restoreSurfaces(scene, surfaces)) {
       const json& surface = surfaces[number];
@@ -59,7 +64,9 @@ std::optional<SolvedFolder> SolvedFolder::around(const std::filesystem::path& sc
       solved.places_.push_back({texture.at("name").get<std::string>(), texelsAt(texture, "width", 1),
                                 texelsAt(texture, "height", 1), texelsAt(texture, "column", 0),
                                 texelsAt(texture, "row", 0), texelsAt(surface, "columns", 1),
-                                texelsAt(surface, "rows", 1)});
+                                texelsAt(surface, "rows", 1), reference::vectorAt(surface, "reflectance"),
+                                reference::vectorAt(surface, "emission"), surface.contains("curved")});
+      if (surface.contains("maps")) solved.lacks_ = "maps of materials";
     }
   } catch (const std::exception&) {
     throw raster::InputError(file.string(), 0, "does not belong to the scene beside it", "solve the scene again");
@@ -84,6 +91,24 @@ radiosity::DiscretizationSettings SolvedFolder::grids(const radiosity::Scene& sc
   return settings;
 }
 
+radiosity::Scene SolvedFolder::unlit(radiosity::Scene scene) const {
+  if (!lacks_.empty())
+    throw raster::InputError(folder_.string(), 0, "does not hold the " + lacks_ + " that its light needs",
+                             "render the scene that was solved with --gather, instead of this folder");
+  scene.materials.clear();
+  for (std::size_t s = 0; s < scene.surfaces.size(); ++s) {
+    scene.surfaces[s].material = static_cast<int>(s);
+    scene.surfaces[s].hasColours = false;
+    if (places_[s].isCurved) scene.surfaces[s].curvedPart = static_cast<std::uint32_t>(s);
+    scene.materials.push_back({scene.surfaces[s].name, places_[s].reflectance, places_[s].emission});
+  }
+  scene.outside = lights_.outside;
+  scene.lamps = lights_.lamps;
+  scene.squareMetres = lights_.squareMetres;
+  return scene;
+}
+
+/// Textures of a gather have several texels along the side of an element, which has their mean.
 std::vector<glm::dvec3> SolvedFolder::radiosity(const radiosity::Discretization& discretization) const {
   std::map<std::string, radiosity::Image> textures;
   std::vector<glm::dvec3> values;
@@ -93,13 +118,18 @@ std::vector<glm::dvec3> SolvedFolder::radiosity(const radiosity::Discretization&
     if (isNew) texture->second = radiosity::readImage(folder_ / (place.texture + ".exr"));
     const radiosity::Image& image = texture->second;
     const auto columns = static_cast<std::uint32_t>(place.columns);
-    const int column = place.column + static_cast<int>(element.texel % columns);
-    const int row = image.height - 1 - place.row - static_cast<int>(element.texel / columns);
-    if (column < 0 || column >= image.width || row < 0 || row >= image.height)
+    const int side = std::max(image.width / place.width, 1);
+    const int left = side * (place.column + static_cast<int>(element.texel % columns));
+    const int top = image.height - side * (place.row + static_cast<int>(element.texel / columns) + 1);
+    if (left + side > image.width || top < 0)
       throw raster::InputError((folder_ / (place.texture + ".exr")).string(), 0,
                                "has fewer texels than solution.json gives", "solve the scene again");
-    values.push_back(image.pixels[static_cast<std::size_t>(row) * static_cast<std::size_t>(image.width) +
-                                  static_cast<std::size_t>(column)]);
+    glm::dvec3 sum(0);
+    for (int row = top; row < top + side; ++row)
+      for (int column = left; column < left + side; ++column)
+        sum += image.pixels[static_cast<std::size_t>(row) * static_cast<std::size_t>(image.width) +
+                            static_cast<std::size_t>(column)];
+    values.push_back(sum / static_cast<double>(side * side));
   }
   return values;
 }

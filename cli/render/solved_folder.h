@@ -21,6 +21,9 @@ class SolvedFolder {
 
   /// The settings that give the solved grids.
   radiosity::DiscretizationSettings grids(const radiosity::Scene& scene) const;
+  /// The scene with the reflectances and the lights that it was solved with. Throws InputError for what the folder does
+  /// not hold: maps, spectra, and images by symmetry.
+  radiosity::Scene unlit(radiosity::Scene scene) const;
   /// The radiosity of each element in W/m^2, from the EXR textures. Throws InputError if a texture is too small.
   std::vector<glm::dvec3> radiosity(const radiosity::Discretization& discretization) const;
   /// Replaces the display textures of the scene by its radiosity times `exposure`.
@@ -28,7 +31,7 @@ class SolvedFolder {
   /// The exposure of the display textures.
   double exposure() const { return exposure_; }
   /// The irradiance of its sky in W/m^2; 0 without one.
-  glm::dvec3 sky() const { return sky_; }
+  glm::dvec3 sky() const { return lights_.outside.sky; }
 
  private:
   /// The place of a surface in its texture (see radiosity::TexturePlace), and its grid; all in texels.
@@ -37,13 +40,16 @@ class SolvedFolder {
     int width = 0, height = 0;
     int column = 0, row = 0;
     int columns = 0, rows = 0;
+    glm::dvec3 reflectance{0.0}, emission{0.0};  ///< means
+    bool isCurved = false;
   };
 
   std::filesystem::path folder_;
   std::vector<Place> places_;  ///< one per surface of the scene
   radiosity::DiscretizationSettings settings_;
   double exposure_ = 1;
-  glm::dvec3 sky_{0.0};
+  radiosity::Scene lights_;  ///< its suns, lamps, sky and unit
+  std::string lacks_;        ///< what a gather needs and the folder does not hold
 };
 
 }  // namespace hemitex::cli

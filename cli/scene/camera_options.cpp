@@ -1,10 +1,12 @@
 #include "cli/scene/camera_options.h"
 
+#include <algorithm>
 #include <limits>
 
 #include "cli/common/json.h"
 #include "cli/common/options.h"
 #include "radiosity/pictures/default_camera.h"
+#include "radiosity/pictures/visibility.h"
 #include "raster/base/file_io.h"
 #include "raster/base/input_error.h"
 #include "reference/base/json_text.h"
@@ -101,6 +103,14 @@ radiosity::Camera cameraOf(const CameraOptions& options, const radiosity::Scene&
     throw raster::InputError(viewFileOf(sceneFile).string(), 0, error.what());
   }
   return camera;
+}
+
+std::vector<bool> surfacesSeen(const CameraOptions& options, const radiosity::Scene& scene,
+                               const radiosity::Camera& camera) {
+  const auto scaled = [longer = std::max(options.width, options.height)](int side) {
+    return std::max(1, 256 * side / longer);
+  };
+  return radiosity::seenSurfaces(scene, camera, scaled(options.width), scaled(options.height));
 }
 
 nlohmann::ordered_json toJson(const radiosity::Camera& camera) {

@@ -7,6 +7,7 @@
 #include <glm/glm.hpp>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <vector>
 
 #include "cli/common/command_line.h"
 #include "radiosity/pictures/camera.h"
@@ -30,6 +31,10 @@ std::filesystem::path viewFileOf(const std::filesystem::path& sceneFile);
 /// direction.
 radiosity::Camera cameraOf(const CameraOptions& options, const radiosity::Scene& scene,
                            const std::filesystem::path& sceneFile);
+
+/// The surfaces that are seen in a picture of these proportions, with 256 pixels along its longer side.
+std::vector<bool> surfacesSeen(const CameraOptions& options, const radiosity::Scene& scene,
+                               const radiosity::Camera& camera);
 
 /// The camera in the format of a view file.
 nlohmann::ordered_json toJson(const radiosity::Camera& camera);

@@ -200,4 +200,21 @@ ordered_json lightsJson(const radiosity::Scene& scene) {
   return text;
 }
 
+void restoreLights(radiosity::Scene& scene, const ordered_json& settings) {
+  using reference::vectorAt;
+  scene.outside = {};
+  scene.lamps.clear();
+  if (settings.contains("sky")) scene.outside.sky = vectorAt(settings, "sky");
+  for (const ordered_json& sun : settings.value("sun", ordered_json::array()))
+    scene.outside.suns.push_back({vectorAt(sun, "towards"), vectorAt(sun, "irradiance")});
+  for (const ordered_json& given : settings.value("lamp", ordered_json::array())) {
+    radiosity::Lamp lamp{given.at("name").get<std::string>(), vectorAt(given, "position"),
+                         vectorAt(given, "intensity")};
+    if (given.contains("axis"))
+      lamp.cone = {vectorAt(given, "axis"), given.at("inner_cosine").get<double>(),
+                   given.at("outer_cosine").get<double>()};
+    scene.lamps.push_back(std::move(lamp));
+  }
+}
+
 }  // namespace hemitex::cli

@@ -48,5 +48,7 @@ nlohmann::ordered_json toJson(const MaterialOptions& options);
 /// "irradiance": [r, g, b]}, ...], "lamp": [{"name": NAME, "position": [x, y, z], "intensity": [r, g, b]}, ...]}`. A
 /// spot also has `axis`, `inner_cosine` and `outer_cosine`.
 nlohmann::ordered_json lightsJson(const radiosity::Scene& scene);
+/// Gives a scene the lights of such settings instead of its own. Throws std::exception if they are malformed.
+void restoreLights(radiosity::Scene& scene, const nlohmann::ordered_json& settings);
 
 }  // namespace hemitex::cli

@@ -5,9 +5,9 @@
 
 #include "cli/solve/bands_file.h"
 #include "radiosity/bands/spectral_scene.h"
+#include "radiosity/gather/final_gather.h"
 #include "radiosity/meshes/length_unit.h"
 #include "radiosity/scene/load_scene.h"
-#include "radiosity/textures/final_gather.h"
 
 namespace hemitex::cli {
 namespace {

@@ -4,6 +4,7 @@
 #include <numeric>
 #include <utility>
 
+#include "cli/common/interruption.h"
 #include "cli/common/json.h"
 #include "cli/report/solved_page.h"
 #include "cli/scene/facet_file.h"
@@ -11,13 +12,13 @@
 #include "radiosity/bands/band_textures.h"
 #include "radiosity/bands/element_table.h"
 #include "radiosity/base/csv_table.h"
+#include "radiosity/gather/final_gather.h"
 #include "radiosity/meshes/vtu_file.h"
 #include "radiosity/pictures/default_camera.h"
 #include "radiosity/pictures/picture_exposure.h"
 #include "radiosity/pictures/pictures.h"
 #include "radiosity/scene/load_scene.h"
 #include "radiosity/scene/surface_names.h"
-#include "radiosity/textures/final_gather.h"
 #include "radiosity/textures/light_maps.h"
 #include "radiosity/textures/lit_scene.h"
 #include "radiosity/textures/radiosity_texture.h"
@@ -83,10 +84,10 @@ std::vector<std::string> writeLightMaps(const std::filesystem::path& folder, con
       solved.gathered ? radiosity::irradianceTextures(solved.discretization, layout, *solved.gathered)
                       : radiosity::radiosityTextures(solved.discretization, layout, irradiance);
   const radiosity::LightMaps maps =
-      solved.gathered
-          ? radiosity::makeLightMaps(solved.scene, solved.discretization, *solved.gathered, linear, exposureOf(solved))
-          : radiosity::makeLightMaps(solved.scene, solved.discretization, layout, irradiance, exposureOf(solved),
-                                     filterOf(solved.options));
+      solved.gathered ? radiosity::makeLightMaps(solved.scene, solved.discretization, solved.gathered->irradiance,
+                                                 linear, exposureOf(solved))
+                      : radiosity::makeLightMaps(solved.scene, solved.discretization, layout, irradiance,
+                                                 exposureOf(solved), filterOf(solved.options));
   return radiosity::writeLightMaps(folder, maps, solved.scene, solved.discretization, layout, linear, view);
 }
 
@@ -118,9 +119,10 @@ double exposureOf(const SolvedScene& solved) {
 
 std::optional<radiosity::GatheredLight> gatheredLight(const SolvedScene& solved, Console& console) {
   if (!solved.options.gather) return std::nullopt;
-  radiosity::GatheredLight light =
+  const LongRun run;
+  std::optional<radiosity::GatheredLight> light =
       radiosity::gather(solved.scene, solved.discretization, solved.layout, texturesOf(solved), solved.solution, {},
-                        [&](double done) { console.progress(done, "gathering"); });
+                        {[&](double done) { console.progress(done, "gathering"); }, &LongRun::isStopping()});
   console.endProgress();
   return light;
 }

@@ -22,7 +22,7 @@ std::set<std::string> outputNames(const SolveOptions& options, const radiosity::
 /// The given exposure, or that of the picture (see pictureExposure).
 double exposureOf(const SolvedScene& solved);
 
-/// The light that --gather asks for; nothing without. Shows its progress.
+/// The light that --gather asks for; nothing without, and after a signal. Shows its progress.
 std::optional<radiosity::GatheredLight> gatheredLight(const SolvedScene& solved, Console& console);
 
 /// The lit scene, with the display textures of the options; nothing with --no-textures.

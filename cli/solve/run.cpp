@@ -8,19 +8,10 @@
 #include "radiosity/discretization/discretize.h"
 #include "radiosity/discretization/grid_size.h"
 #include "radiosity/images/image_module.h"
-#include "radiosity/pictures/visibility.h"
 #include "raster/base/memory_budget.h"
 
 namespace hemitex::cli {
 namespace {
-
-/// The surfaces that are seen in a picture of the proportions of render.png, with 256 pixels along its longer side.
-std::vector<bool> seenIn(const CameraOptions& picture, const radiosity::Scene& scene, const radiosity::Camera& camera) {
-  const auto scaled = [longer = std::max(picture.width, picture.height)](int side) {
-    return std::max(1, 256 * side / longer);
-  };
-  return radiosity::seenSurfaces(scene, camera, scaled(picture.width), scaled(picture.height));
-}
 
 radiosity::LightSettings lightSettings(const SolveOptions& options, const radiosity::Scene& scene,
                                        const radiosity::Camera& camera) {
@@ -38,7 +29,7 @@ radiosity::LightSettings lightSettings(const SolveOptions& options, const radios
     const double bound = radiosity::residualFor(*options.maxError);
     settings.solver.residual = std::min(bound, options.residual.value_or(bound));
   }
-  if (followsCamera(options)) settings.seen = seenIn(options.camera, scene, camera);
+  if (followsCamera(options)) settings.seen = surfacesSeen(options.camera, scene, camera);
   return settings;
 }
 

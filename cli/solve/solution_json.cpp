@@ -7,8 +7,8 @@
 #include "cli/common/json.h"
 #include "cli/common/numbers.h"
 #include "cli/solve/options.h"
+#include "radiosity/gather/final_gather.h"
 #include "radiosity/index_maps/phantom_indices.h"
-#include "radiosity/textures/final_gather.h"
 #include "radiosity/textures/lit_scene.h"
 #include "reference/base/hashes/sha256.h"
 
@@ -94,6 +94,8 @@ ordered_json surfacesJson(const SolvedScene& solved, const std::optional<radiosi
                         {"reflectance", toJson(means.reflectance)},
                         {"emission", toJson(means.emission)},
                         {"texture", lit ? placeJson(lit->layout, s) : ordered_json()}});
+    if (solved.scene.surfaces[s].curvedPart) surfaces.back()["curved"] = true;
+    if (radiosity::hasMaps(solved.scene, solved.scene.surfaces[s])) surfaces.back()["maps"] = true;
   }
   return surfaces;
 }
@@ -244,7 +246,7 @@ ordered_json solutionSettings(const SolveOptions& options) {
 ordered_json description(const SolvedScene& solved, const std::optional<radiosity::LitScene>& lit) {
   const SolveOptions& options = solved.options;
   ordered_json settings = solutionSettings(options);
-  const bool isFiltered = hasTextures(options) && !options.gather;
+  const bool isFiltered = hasTextures(options) && !solved.gathered;
   settings.update({{"filter", isFiltered ? ordered_json(nameOf(filterOf(options))) : ordered_json()},
                    {"magnify", orNull(options.magnification)},
                    {"camera", toJson(solved.camera)},
@@ -276,6 +278,7 @@ ordered_json description(const SolvedScene& solved, const std::optional<radiosit
   if (solved.gathered)
     text["gather"] = {
         {"texels", solved.gathered->texels}, {"drawn", solved.gathered->drawn}, {"error", solved.gathered->error}};
+  if (solved.solution.isInterrupted || (options.gather && !solved.gathered)) text["interrupted"] = true;
   if (!solved.scene.wavelengths.empty()) text["bands"] = listed(solved.scene, solved.scene.wavelengths);
   return text;
 }

@@ -18,8 +18,8 @@
 #include "cli/solve/output.h"
 #include "cli/solve/run.h"
 #include "radiosity/discretization/exposure.h"
+#include "radiosity/gather/final_gather.h"
 #include "radiosity/solver/dynamic_solution.h"
-#include "radiosity/textures/final_gather.h"
 #include "radiosity/textures/lit_scene.h"
 #include "raster/base/file_io.h"
 #include "raster/base/input_error.h"
@@ -83,13 +83,15 @@ ordered_json writeFrame(const std::filesystem::path& folder, std::size_t number,
   text["warnings"] = warningsOf(solved.solution);
   text["files"] = fileHashes(folder / name);
   raster::writeFile(folder / name / solutionName, toText(text));
-  return {{"folder", name},
-          {"edits", frame.written},
-          {"shots", solved.solution.shots},
-          {"residual", solved.solution.residual},
-          {"ended_by", text["ended_by"]},
-          {"rows", toJson(cost)},
-          {"times", laps.times()}};
+  ordered_json entry = {{"folder", name},
+                        {"edits", frame.written},
+                        {"shots", solved.solution.shots},
+                        {"residual", solved.solution.residual},
+                        {"ended_by", text["ended_by"]},
+                        {"rows", toJson(cost)},
+                        {"times", laps.times()}};
+  if (text.contains("interrupted")) entry["interrupted"] = true;
+  return entry;
 }
 
 /// Prints the warnings of a solution.
@@ -108,7 +110,8 @@ void warnOf(const SolveResult& result, Console& console) {
 /// Says that a signal stopped the run, and how it goes on.
 void tellStop(const SolveOptions& options, int shots, Console& console) {
   const std::string file = options.longRun.checkpoint.string();
-  console.message("a signal stopped the run after " + std::to_string(shots) + " shots; " +
+  console.message("a signal stopped the run after " + std::to_string(shots) + " shots" +
+                  (options.gather ? ", before all texels had gathered their light; " : "; ") +
                   (file.empty() ? "with --checkpoint FILE a run can go on later"
                                 : "the same command with --resume " + shellQuoted(file) + " goes on"));
 }
@@ -159,15 +162,16 @@ void computeForRankZero(SolveOptions options, Console& console) {
 }
 
 /// Updates the solution of the result, which `first` shows, for each frame and writes their folders. Adds the entries
-/// of the frames to `text`. Returns whether a signal ended the last one.
-bool writeFrames(const std::filesystem::path& folder, const std::vector<Frame>& frames, const SolvedScene& first,
+/// of the frames to `text`, and says there if a signal ended the last one.
+void writeFrames(const std::filesystem::path& folder, const std::vector<Frame>& frames, const SolvedScene& first,
                  SolveResult& result, Monitor& monitor, ordered_json& text) {
   const auto errors = std::make_shared<std::vector<double>>();
   radiosity::DynamicSolution dynamic =
       radiosity::editable(first.scene, std::move(result.light), hooksOf(result.options, errors));
-  for (std::size_t f = 0; f < frames.size() && !dynamic.solution().isInterrupted; ++f)
+  for (std::size_t f = 0; f < frames.size() && !text.contains("interrupted"); ++f) {
     text["frames"].push_back(writeFrame(folder, f + 1, frames[f], dynamic, first, monitor));
-  return dynamic.solution().isInterrupted;
+    if (text["frames"].back().contains("interrupted")) text["interrupted"] = true;
+  }
 }
 
 /// Writes the result, updates it for each frame, and moves it to its folder. Returns the content of solution.json.
@@ -197,10 +201,8 @@ ordered_json writeResult(const radiosity::Scene& scene, const radiosity::Camera&
   text["expected_error_seen"] = errors ? ordered_json(errors->seen) : ordered_json();
   if (!result.rowErrors.empty())
     text["row_error"] = *std::max_element(result.rowErrors.begin(), result.rowErrors.end());
-  bool isInterrupted = result.light.solution.isInterrupted;
-  if (!frames.empty() && !isInterrupted)
-    isInterrupted = writeFrames(staging.folder(), frames, solved, result, monitor, text);
-  if (isInterrupted) text["interrupted"] = true;
+  if (!frames.empty() && !text.contains("interrupted"))
+    writeFrames(staging.folder(), frames, solved, result, monitor, text);
   text["times"] = laps.times();
   text["warnings"] = console.given();
   if (shown) raster::writeFile(staging.folder() / "report.html", solvedPage(*shown, text));

@@ -9,12 +9,12 @@
 #include "python/bindings/light.h"
 #include "python/bindings/scenes.h"
 #include "python/bindings/settings.h"
+#include "radiosity/gather/final_gather.h"
 #include "radiosity/images/image.h"
 #include "radiosity/index_maps/id_layout.h"
 #include "radiosity/pictures/id_pictures.h"
 #include "radiosity/pictures/picture_exposure.h"
 #include "radiosity/pictures/pictures.h"
-#include "radiosity/textures/final_gather.h"
 #include "radiosity/textures/lit_scene.h"
 #include "radiosity/textures/radiosity_texture.h"
 #include "raster/base/input_error.h"
@@ -49,7 +49,7 @@ radiosity::LitScene gatheredScene(const radiosity::Scene& scene, const radiosity
   const radiosity::TextureLayout layout =
       radiosity::layOutTextures(scene, discretization, {{}, radiosity::maxGatheredTexels});
   const radiosity::GatheredLight light =
-      radiosity::gather(scene, discretization, radiosity::layOut(discretization), layout, solution);
+      *radiosity::gather(scene, discretization, radiosity::layOut(discretization), layout, solution);
   return radiosity::makeLitScene(
       scene, discretization, layout,
       radiosity::codedTextures(radiosity::radiosityTextures(scene, discretization, layout, light), exposure));

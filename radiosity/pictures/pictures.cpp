@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string>
 #include <utility>
 
@@ -49,24 +50,57 @@ Image meanColours(const Samples& samples, int width, int height, const ColourOf&
   return halved(colours, width, height);
 }
 
-/// Whether the samples of the pixel of a sample, or one beside them, show several surfaces; one per sample.
-std::vector<std::uint8_t> edgesOf(const Samples& samples, int width, int height) {
+/// Whether an edge of the picture is between two samples: they show different surfaces, or triangles of one surface
+/// whose normals differ by more than 5 degrees. Otherwise, too, if one point is farther from the plane of the other
+/// than the side of a pixel there, as at the outline of a part in front of another.
+class EdgeTest {
+ public:
+  EdgeTest(const Scene& scene, const Camera& camera, int height)
+      : scene_(scene),
+        eye_(camera.eye),
+        forward_(axesOf(camera).forward),
+        pixelSide_(2 * tangentOfDegrees(camera.fov / 2) / height) {}
+
+  bool isBetween(const std::optional<Visible>& one, const std::optional<Visible>& other) const {
+    if (!one || !other) return one.has_value() != other.has_value();
+    if (one->surface != other->surface || one->instance != other->instance) return true;
+    if (one->triangle == other->triangle) return false;
+    const glm::dvec3 n = normalOf(*one), m = normalOf(*other);
+    if (glm::dot(n, m) < minCosine) return true;
+    const glm::dvec3 point = positionOf(scene_, *one), way = positionOf(scene_, *other) - point;
+    const double side = pixelSide_ * glm::dot(point - eye_, forward_);
+    return std::max(std::abs(glm::dot(n, way)), std::abs(glm::dot(m, way))) > side;
+  }
+
+ private:
+  static constexpr double minCosine = 0.9962;  // of 5 degrees
+
+  glm::dvec3 normalOf(const Visible& visible) const {
+    const auto [a, b, c] = placedCorners(scene_, {visible.instance, visible.surface, visible.triangle});
+    return glm::normalize(glm::cross(b - a, c - a));
+  }
+
+  const Scene& scene_;
+  glm::dvec3 eye_, forward_;
+  double pixelSide_;  ///< at distance 1
+};
+
+/// Whether an edge is between the samples of the pixel of a sample, or between these and those beside them; one per
+/// sample.
+std::vector<std::uint8_t> edgesOf(const EdgeTest& test, const Samples& samples, int width, int height) {
   const int columns = 2 * width, rows = 2 * height;
   const auto at = [&](int column, int row) {
-    return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(column);
-  };
-  const auto shown = [&](int column, int row) {
-    const auto& sample = samples[at(std::clamp(column, 0, columns - 1), std::clamp(row, 0, rows - 1))];
-    return sample ? std::pair<std::int64_t, std::uint32_t>(sample->surface, sample->instance)
-                  : std::pair<std::int64_t, std::uint32_t>(-1, 0);
+    return static_cast<std::size_t>(std::clamp(row, 0, rows - 1)) * static_cast<std::size_t>(columns) +
+           static_cast<std::size_t>(std::clamp(column, 0, columns - 1));
   };
   std::vector<std::uint8_t> edges(samples.size());
   raster::parallelFor(static_cast<std::size_t>(height), [&](std::size_t pixelRow) {
     const int top = 2 * static_cast<int>(pixelRow);
     for (int left = 0; left < columns; left += 2) {
-      const auto first = shown(left, top);
+      const auto& first = samples[at(left, top)];
       bool isEdge = false;
-      for (int k = 0; k < 16 && !isEdge; ++k) isEdge = shown(left - 1 + k % 4, top - 1 + k / 4) != first;
+      for (int k = 0; k < 16 && !isEdge; ++k)
+        isEdge = test.isBetween(first, samples[at(left - 1 + k % 4, top - 1 + k / 4)]);
       for (int k = 0; k < 4; ++k) edges[at(left + k % 2, top + k / 2)] = isEdge;
     }
   });
@@ -131,7 +165,7 @@ Image drawPicture(const Scene& scene, const Camera& camera, int width, int heigh
   TriangleView view(scene);
   const Samples samples = view.see(camera, 2 * width, 2 * height, skipped);
   Image image = meanColours(samples, width, height, colourOf, background);
-  const std::vector<std::uint8_t> edges = edgesOf(samples, width, height);
+  const std::vector<std::uint8_t> edges = edgesOf(EdgeTest(scene, camera, height), samples, width, height);
   std::vector<glm::dvec3> sums(image.pixels.size(), glm::dvec3(0));
   for (const glm::vec2& shift : {glm::vec2(-0.25F, -0.25F), {0.25F, -0.25F}, {-0.25F, 0.25F}, {0.25F, 0.25F}}) {
     const Samples shifted = view.see(camera, 2 * width, 2 * height, skipped, shift, edges);

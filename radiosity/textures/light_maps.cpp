@@ -100,11 +100,12 @@ LightMaps makeLightMaps(const Scene& scene, const Discretization& discretization
           displayTextures(scene, discretization, layout, irradiance, exposure / scale, filter, nullptr)};
 }
 
-LightMaps makeLightMaps(const Scene& scene, const Discretization& discretization, const GatheredLight& light,
-                        const std::vector<Image>& linear, double exposure) {
+LightMaps makeLightMaps(const Scene& scene, const Discretization& discretization,
+                        const std::vector<std::vector<glm::dvec3>>& irradiance, const std::vector<Image>& linear,
+                        double exposure) {
   double scale = 0;
-  for (std::size_t s = 0; s < light.irradiance.size(); ++s)
-    for (const glm::dvec3& texel : light.irradiance[s])
+  for (std::size_t s = 0; s < irradiance.size(); ++s)
+    for (const glm::dvec3& texel : irradiance[s])
       raiseScale(scale, exposure * texel, reflectance(scene, discretization, discretization.grids[s].firstElement));
   scale = scaleOrOne(scale);
   return {exposure, scale, codedTextures(linear, exposure / scale)};

@@ -9,7 +9,6 @@
 #include "radiosity/discretization/discretization.h"
 #include "radiosity/images/image.h"
 #include "radiosity/scene/scene.h"
-#include "radiosity/textures/final_gather.h"
 #include "radiosity/textures/gltf_scene.h"
 #include "radiosity/textures/texture_filter.h"
 #include "radiosity/textures/texture_layout.h"
@@ -29,9 +28,10 @@ struct LightMaps {
 LightMaps makeLightMaps(const Scene& scene, const Discretization& discretization, const TextureLayout& layout,
                         const std::vector<glm::dvec3>& irradiance, double exposure, TextureFilter filter);
 
-/// The same of gathered light, whose irradianceTextures are `linear`; the scale is that of its texels.
-LightMaps makeLightMaps(const Scene& scene, const Discretization& discretization, const GatheredLight& light,
-                        const std::vector<Image>& linear, double exposure);
+/// The same of the irradiance of each texel of each surface, in textures as `linear` ones; the scale is that of texels.
+LightMaps makeLightMaps(const Scene& scene, const Discretization& discretization,
+                        const std::vector<std::vector<glm::dvec3>>& irradiance, const std::vector<Image>& linear,
+                        double exposure);
 
 /// Writes into `folder`, which exists: per texture lightmaps/NAME.png, and lightmaps/NAME.exr, the `linear` one: the
 /// irradiance in W/m^2; and lightmap.glb. Of a scene from a glTF file that is the file with coordinates in light maps

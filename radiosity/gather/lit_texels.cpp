@@ -1,4 +1,4 @@
-#include "radiosity/textures/lit_texels.h"
+#include "radiosity/gather/lit_texels.h"
 
 #include <algorithm>
 #include <cmath>
@@ -46,20 +46,9 @@ std::optional<LitPlace> placeOf(const Surface& surface, const Grid& grid, std::u
   return place;
 }
 
-/// The mean normals of the elements of curved surfaces, and 0 for others.
-std::vector<glm::dvec3> normalsOf(const Scene& scene, const Discretization& discretization) {
-  std::vector<glm::dvec3> normals(discretization.elements.size());
-  for (std::size_t s = 0; s < scene.surfaces.size(); ++s) {
-    if (!scene.surfaces[s].curvedPart) continue;
-    const std::vector<glm::dvec3> means = meanNormals(scene.surfaces[s], discretization.grids[s]);
-    std::copy(means.begin(), means.end(), normals.begin() + discretization.grids[s].firstElement);
-  }
-  return normals;
-}
-
 /// Gives the texels of a curved surface the filtered normals of its elements.
-void smoothNormals(const Scene& scene, const Discretization& discretization, const std::vector<glm::dvec3>& normals,
-                   std::uint32_t surface, int magnification, LitTexels& texels) {
+void smooth(const Scene& scene, const Discretization& discretization, const std::vector<glm::dvec3>& normals,
+            std::uint32_t surface, int magnification, LitTexels& texels) {
   const Grid& grid = discretization.grids[surface];
   const TextureFilter filter = grid.quadtree ? TextureFilter::OneToOne : TextureFilter::Bicubic;
   const std::vector<glm::dvec3> filtered =
@@ -69,49 +58,33 @@ void smoothNormals(const Scene& scene, const Discretization& discretization, con
       texels.places[i]->point.normal = glm::normalize(filtered[i]);
 }
 
-/// `normals` are normalsOf the scene.
-LitTexels texelsOf(const Scene& scene, const Discretization& discretization, const std::vector<glm::dvec3>& normals,
-                   std::uint32_t surface, int magnification) {
-  const Grid& grid = discretization.grids[surface];
-  LitTexels texels;
-  texels.columns = grid.columns * magnification;
-  texels.rows = grid.rows * magnification;
-  const std::size_t count = static_cast<std::size_t>(texels.columns) * static_cast<std::size_t>(texels.rows);
-  texels.places.resize(count);
-  texels.direct = texels.seen = BandTable(count, bandCount(scene));
-  const bool isPlane = isFlat(scene, scene.surfaces[surface]);
-  raster::parallelFor(static_cast<std::size_t>(texels.rows), [&](std::size_t row) {
-    for (int column = 0; column < texels.columns; ++column)
-      texels.places[texels.at(column, static_cast<int>(row))] =
-          placeOf(scene.surfaces[surface], grid, surface, column, static_cast<int>(row), magnification, isPlane);
-  });
-  if (scene.surfaces[surface].curvedPart) smoothNormals(scene, discretization, normals, surface, magnification, texels);
-  return texels;
-}
-
 /// A source is weak at texels where it raises the light of the sources before it by no more than this share.
 constexpr double weakLight = 0.02;
 
 /// The light of one source at the texels of a surface.
 class SourceTexels {
  public:
-  SourceTexels(const DirectLight& direct, std::size_t source, LitTexels& texels)
+  SourceTexels(const DirectLight& direct, std::size_t source, LitTexels& texels, const std::atomic<bool>* isCancelled)
       : direct_(direct),
         source_(source),
         texels_(texels),
+        isCancelled_(isCancelled),
         factors_(texels.places.size()),
         shares_(texels.places.size(), behind) {}
 
   void add() {
     raster::parallelFor(static_cast<std::size_t>((texels_.rows + block - 1) / block), [&](std::size_t row) {
-      for (int column = 0; column < texels_.columns; column += block) probeBlock(column, static_cast<int>(row) * block);
+      for (int column = 0; column < texels_.columns && !isStopping(); column += block)
+        probeBlock(column, static_cast<int>(row) * block);
     });
     raster::parallelFor(static_cast<std::size_t>(texels_.rows), [&](std::size_t row) {
-      for (int column = 0; column < texels_.columns; ++column) addAt(column, static_cast<int>(row));
+      for (int column = 0; column < texels_.columns && !isStopping(); ++column) addAt(column, static_cast<int>(row));
     });
   }
 
  private:
+  bool isStopping() const { return isCancelled_ && *isCancelled_; }
+
   static constexpr float behind = -1;  ///< the share of a source behind the horizon
   static constexpr int block = 8;      ///< texels along the side
 
@@ -176,21 +149,55 @@ class SourceTexels {
   const DirectLight& direct_;
   std::size_t source_;
   LitTexels& texels_;
+  const std::atomic<bool>* isCancelled_;
   std::vector<double> factors_;
   std::vector<float> shares_;  ///< in [0, 1], or `behind`
 };
 
 }  // namespace
 
-std::vector<LitTexels> directlyLitTexels(const Scene& scene, const Discretization& discretization,
-                                         std::span<const int> magnifications, const DirectLight& direct) {
-  const std::vector<glm::dvec3> normals = normalsOf(scene, discretization);
+std::vector<LitTexels> texelsOf(const Scene& scene, const Discretization& discretization,
+                                const Magnifications& magnifications) {
+  const std::vector<glm::dvec3> normals = smoothNormals(scene, discretization);
   std::vector<LitTexels> all(scene.surfaces.size());
   raster::parallelFor(all.size(), [&](std::size_t s) {
     all[s] = texelsOf(scene, discretization, normals, static_cast<std::uint32_t>(s), magnifications[s]);
-    for (std::size_t source = 0; source < direct.count(); ++source) SourceTexels(direct, source, all[s]).add();
   });
   return all;
+}
+
+void addDirectLight(const DirectLight& direct, LitTexels& texels, const std::atomic<bool>* isCancelled) {
+  for (std::size_t source = 0; source < direct.count(); ++source)
+    SourceTexels(direct, source, texels, isCancelled).add();
+}
+
+std::vector<glm::dvec3> smoothNormals(const Scene& scene, const Discretization& discretization) {
+  std::vector<glm::dvec3> normals(discretization.elements.size());
+  for (std::size_t s = 0; s < scene.surfaces.size(); ++s) {
+    if (!scene.surfaces[s].curvedPart) continue;
+    const std::vector<glm::dvec3> means = meanNormals(scene.surfaces[s], discretization.grids[s]);
+    std::copy(means.begin(), means.end(), normals.begin() + discretization.grids[s].firstElement);
+  }
+  return normals;
+}
+
+LitTexels texelsOf(const Scene& scene, const Discretization& discretization, const std::vector<glm::dvec3>& normals,
+                   std::uint32_t surface, int magnification) {
+  const Grid& grid = discretization.grids[surface];
+  LitTexels texels;
+  texels.columns = grid.columns * magnification;
+  texels.rows = grid.rows * magnification;
+  const std::size_t count = static_cast<std::size_t>(texels.columns) * static_cast<std::size_t>(texels.rows);
+  texels.places.resize(count);
+  texels.direct = texels.seen = BandTable(count, bandCount(scene));
+  const bool isPlane = isFlat(scene, scene.surfaces[surface]);
+  raster::parallelFor(static_cast<std::size_t>(texels.rows), [&](std::size_t row) {
+    for (int column = 0; column < texels.columns; ++column)
+      texels.places[texels.at(column, static_cast<int>(row))] =
+          placeOf(scene.surfaces[surface], grid, surface, column, static_cast<int>(row), magnification, isPlane);
+  });
+  if (scene.surfaces[surface].curvedPart) smooth(scene, discretization, normals, surface, magnification, texels);
+  return texels;
 }
 
 }  // namespace hemitex::radiosity

@@ -1,4 +1,4 @@
-#include "radiosity/textures/final_gather.h"
+#include "radiosity/gather/final_gather.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,16 +7,11 @@
 
 #include "radiosity/discretization/discretize.h"
 #include "radiosity/discretization/element_materials.h"
-#include "radiosity/form_factors/projected_form_factors.h"
-#include "radiosity/form_factors/scene_form_factors.h"
 #include "radiosity/geometry/distance_transform.h"
 #include "radiosity/spectra/colour.h"
-#include "radiosity/textures/direct_light.h"
-#include "radiosity/textures/lit_texels.h"
 #include "radiosity/textures/map_texels.h"
 #include "radiosity/textures/radiosity_texture.h"
 #include "raster/base/parallel.h"
-#include "raster/base/pool.h"
 
 namespace hemitex::radiosity {
 namespace {
@@ -27,8 +22,6 @@ constexpr int largestCell = 16;
 constexpr double mostSpread = 0.5;
 /// One of this number of interpolated texels is drawn, to measure the error.
 constexpr std::size_t texelsPerCheck = 256;
-/// Texels that see a larger share of backs are inside a solid.
-constexpr double mostBacks = 0.99;
 
 enum class State : std::uint8_t { Unknown, Drawn, Interpolated };
 
@@ -66,51 +59,19 @@ BandTable radiosityOf(const Scene& scene, const Discretization& discretization, 
   return table;
 }
 
-/// The light that texels see in elements.
-class SeenElements {
- public:
-  SeenElements(const Scene& scene, const Discretization& discretization, const IdLayout& layout, BandTable radiosity,
-               int resolution)
-      : renderer_(sceneRenderer(scene, discretization, layout, ElementsBy::Texture)),
-        rows_([&scene, &discretization, &layout, resolution, this] {
-          return ProjectedFormFactors(scene, discretization, layout, *renderer_, {.resolution = resolution});
-        }),
-        sky_(lightInBands(scene, scene.outside.sky)),
-        radiosity_(std::move(radiosity)) {}
-
-  /// Nothing inside solids, where texels at contacts may be by rounding.
-  std::optional<Bands> irradiance(const LitPlace& place) {
-    std::optional<Bands> result;
-    rows_.with([&](ProjectedFormFactors& rows) {
-      const FormFactorRow row = rows.from(place.surface, place.point);
-      if (formFactor(row.back) > mostBacks) return;
-      Bands& sum = result.emplace(radiosity_.bands);
-      for (std::size_t i = 0; i < row.elements.size(); ++i)
-        addTo(sum, radiosity_[row.elements[i]], formFactor(row.shares[i]));
-      addTo(sum, sky_, formFactor(row.background));
-    });
-    return result;
-  }
-
- private:
-  std::unique_ptr<raster::ItemBufferRenderer> renderer_;
-  raster::Pool<ProjectedFormFactors> rows_;
-  Bands sky_;
-  BandTable radiosity_;  ///< of elements
-};
-
 /// Light that texels see in elements: draws some of them and interpolates the others.
 class Interpolation {
  public:
-  Interpolation(SeenElements& seen, std::vector<LitTexels>& all, const GatherSettings& settings)
-      : seen_(seen), all_(all), settings_(settings) {
+  Interpolation(SeenElements& seen, std::vector<LitTexels>& all, const GatherSettings& settings,
+                const GatherProgress& progress)
+      : seen_(seen), all_(all), settings_(settings), progress_(progress) {
     for (const LitTexels& texels : all) states_.emplace_back(texels.places.size());
   }
 
-  void run(const std::function<void(double)>& progress) {
+  void run() {
     std::vector<Cell> cells = largestCells();
-    for (double done = 0; !cells.empty(); done = 0.5 * (1 + done)) {
-      if (progress) progress(done);
+    for (double done = 0; !cells.empty() && !progress_.isStopping(); done = 0.5 * (1 + done)) {
+      if (progress_.show) progress_.show(done);
       draw(unknownIn(cells, [](const LitTexels& texels, const Cell& cell) { return cornersOf(texels, cell); }));
       std::vector<Cell> uneven, divided;
       for (const Cell& cell : cells)
@@ -167,6 +128,7 @@ class Interpolation {
   void draw(const std::vector<TexelNumber>& numbers) {
     drawn_ += numbers.size();
     raster::parallelFor(numbers.size(), [&](std::size_t i) {
+      if (progress_.isStopping()) return;
       LitTexels& texels = all_[numbers[i].surface];
       std::optional<LitPlace>& place = texels.places[numbers[i].texel];
       if (const auto light = seen_.irradiance(*place)) {
@@ -188,9 +150,19 @@ class Interpolation {
           divided.push_back({cell.surface, left, low, right, high});
   }
 
-  /// The difference of the corners of a cell over the mean of all their light; infinite if one has no area.
+  static bool hasEdge(const LitTexels& texels, const Cell& cell) {
+    if (texels.isBeforeEdge.empty()) return false;
+    for (int row = cell.row; row <= cell.top; ++row)
+      for (int column = cell.column; column <= cell.right; ++column)
+        if (texels.isBeforeEdge[texels.at(column, row)]) return true;
+    return false;
+  }
+
+  /// The difference of the corners of a cell over the mean of all their light; infinite if one has no area, and across
+  /// an edge.
   double spreadOf(const Cell& cell) const {
     const LitTexels& texels = all_[cell.surface];
+    if (hasEdge(texels, cell)) return std::numeric_limits<double>::infinity();
     double least = std::numeric_limits<double>::infinity(), most = 0, sum = 0;
     for (const std::size_t texel : cornersOf(texels, cell)) {
       if (!texels.places[texel]) return std::numeric_limits<double>::infinity();
@@ -261,6 +233,7 @@ class Interpolation {
   void measure() {
     std::vector<double> squares(checks_.size());
     raster::parallelFor(checks_.size(), [&](std::size_t i) {
+      if (progress_.isStopping()) return;
       const LitTexels& texels = all_[checks_[i].surface];
       const double seen = bandSum(seen_.irradiance(*texels.places[checks_[i].texel]).value_or(Bands()));
       const double difference = bandSum(texels.seen[checks_[i].texel]) - seen;
@@ -274,34 +247,75 @@ class Interpolation {
   SeenElements& seen_;
   std::vector<LitTexels>& all_;
   const GatherSettings& settings_;
+  const GatherProgress& progress_;
   std::vector<std::vector<State>> states_;  ///< of the texels of each surface
   std::size_t drawn_ = 0, interpolated_ = 0;
   std::vector<TexelNumber> checks_;
   double squares_ = 0;
 };
 
-/// The light of texels in colours; those without area have that of the nearest one with area.
-std::vector<glm::dvec3> coloursOf(const Scene& scene, const Discretization& discretization,
-                                  const ElementMaterials& materials, std::uint32_t surface, int magnification,
-                                  const LitTexels& texels) {
-  const BandColours colours(scene.wavelengths);
-  const Grid& grid = discretization.grids[surface];
+}  // namespace
+
+Magnifications magnificationsOf(const TextureLayout& textures) {
+  Magnifications magnifications;
+  for (const TexturePlace& place : textures.places)
+    magnifications.push_back(textures.textures[static_cast<std::size_t>(place.texture)].magnification);
+  return magnifications;
+}
+
+Gatherer::Gatherer(const Scene& scene, const Discretization& discretization, const IdLayout& layout,
+                   const TextureLayout& textures, const Solution& solution, const GatherSettings& settings,
+                   const GatherProgress& progress)
+    : scene_(scene),
+      discretization_(discretization),
+      settings_(settings),
+      progress_(progress),
+      materials_(scene, discretization),
+      colours_(scene.wavelengths),
+      direct_(scene, discretization),
+      seen_(std::make_unique<SeenElements>(
+          scene, discretization, layout, radiosityOf(scene, discretization, solution, direct_), settings.resolution)) {
+  const Magnifications finer = finerElements(magnificationsOf(textures));
+  if (std::all_of(finer.begin(), finer.end(), [](int m) { return m == 1; })) return;
+  std::vector<LitTexels> all = texelsOf(scene, discretization, finer);
+  light(all);
+  finer_ = dividedFiner(finer);
+  finerLayout_ = layOut(finer_);
+  seen_ = std::make_unique<SeenElements>(scene, finer_, finerLayout_, radiosityOfFiner(all), settings.resolution);
+}
+
+void Gatherer::light(std::vector<LitTexels>& all) {
+  raster::parallelFor(all.size(), [&](std::size_t s) { addDirectLight(direct_, all[s], progress_.isCancelled); });
+  Interpolation interpolation(*seen_, all, settings_, progress_);
+  interpolation.run();
+  drawn_ += interpolation.drawn();
+  error_ = interpolation.error();
+}
+
+Bands Gatherer::lightAt(const LitPlace& place) {
+  Bands sum = seen_->irradiance(place).value_or(Bands(materials_.bands()));
+  for (std::size_t source = 0; source < direct_.count(); ++source)
+    if (const double factor = direct_.factor(source, place.point); factor > 0)
+      addTo(sum, direct_.light(source), factor * direct_.visibleShare(source, place));
+  return sum;
+}
+
+glm::dvec3 Gatherer::colourOf(std::uint32_t surface, std::uint32_t element, Bands light) const {
+  if (scene_.wavelengths.empty()) return colours_.of(light);
+  for (std::size_t band = 0; band < light.size(); ++band) light[band] *= materials_.reflectance(surface, element)[band];
+  return irradianceFor(colours_.of(light), glm::dvec3(0), reflectance(scene_, discretization_, element));
+}
+
+std::vector<glm::dvec3> Gatherer::coloursOf(std::uint32_t surface, int magnification, const LitTexels& texels) const {
+  const Grid& grid = discretization_.grids[surface];
+  const auto columns = static_cast<std::size_t>(texels.columns), m = static_cast<std::size_t>(magnification);
   std::vector<glm::dvec3> result(texels.places.size());
   std::vector<bool> covered;
   for (std::size_t i = 0; i < result.size(); ++i) {
     covered.push_back(texels.places[i].has_value());
-    Bands light(texels.seen[i].begin(), texels.seen[i].end());
-    addTo(light, texels.direct[i]);
-    if (scene.wavelengths.empty()) {
-      result[i] = colours.of(light);
-      continue;
-    }
-    const auto columns = static_cast<std::size_t>(texels.columns), m = static_cast<std::size_t>(magnification);
     const std::uint32_t element =
         grid.elementOfTexel[i / columns / m * static_cast<std::size_t>(grid.columns) + i % columns / m];
-    for (std::size_t band = 0; band < light.size(); ++band)
-      light[band] *= materials.reflectance(surface, element)[band];
-    result[i] = irradianceFor(colours.of(light), glm::dvec3(0), reflectance(scene, discretization, element));
+    result[i] = colourOf(surface, element, texels.allLight(i));
   }
   if (std::find(covered.begin(), covered.end(), true) == covered.end()) return result;
   const std::vector<std::uint32_t> nearest = nearestCovered(texels.columns, texels.rows, covered);
@@ -310,38 +324,16 @@ std::vector<glm::dvec3> coloursOf(const Scene& scene, const Discretization& disc
   return result;
 }
 
-/// The number of texels along the side of a grid texel, by surface.
-using Magnifications = std::vector<int>;
-
-/// What all gathers of a solution share.
-struct Gathering {
-  const Scene& scene;
-  const Discretization& discretization;
-  const DirectLight& direct;
-  const GatherSettings& settings;
-};
-
-/// The texels of all surfaces with their light from elements and sources. Adds to the counts of `result`.
-std::vector<LitTexels> litTexels(const Gathering& of, SeenElements& seen, const Magnifications& magnifications,
-                                 const std::function<void(double)>& progress, GatheredLight& result) {
-  std::vector<LitTexels> all = directlyLitTexels(of.scene, of.discretization, magnifications, of.direct);
-  Interpolation interpolation(seen, all, of.settings);
-  interpolation.run(progress);
-  result.drawn += interpolation.drawn();
-  result.error = interpolation.error();
-  return all;
-}
-
 /// How much finer the elements of surfaces become, so that they have as many as the settings ask along the longer side;
 /// not more than there are texels, and 1 for all where that would be too many.
-Magnifications finerElements(const Gathering& of, const Magnifications& texels) {
+Magnifications Gatherer::finerElements(const Magnifications& texels) const {
   constexpr std::size_t mostElements = std::size_t{1} << 20;
   Magnifications finer(texels.size(), 1);
   std::size_t count = 0;
   for (std::size_t s = 0; s < finer.size(); ++s) {
-    const Grid& grid = of.discretization.grids[s];
+    const Grid& grid = discretization_.grids[s];
     while (isDiscretized(grid) && 2 * finer[s] <= texels[s] &&
-           finer[s] * std::max(grid.columns, grid.rows) < of.settings.elements)
+           finer[s] * std::max(grid.columns, grid.rows) < settings_.elements)
       finer[s] *= 2;
     count += static_cast<std::size_t>(grid.columns * finer[s]) * static_cast<std::size_t>(grid.rows * finer[s]);
   }
@@ -349,60 +341,44 @@ Magnifications finerElements(const Gathering& of, const Magnifications& texels) 
 }
 
 /// Surfaces divided into finer elements; solids bury what they bury in the discretization.
-Discretization dividedFiner(const Gathering& of, const Magnifications& finer) {
+Discretization Gatherer::dividedFiner(const Magnifications& finer) const {
   DiscretizationSettings settings{.isUnburied = true};
   for (std::size_t s = 0; s < finer.size(); ++s) {
-    const Grid& grid = of.discretization.grids[s];
-    settings.surfaceTexels[of.scene.surfaces[s].name] = {grid.columns * finer[s], grid.rows * finer[s]};
+    const Grid& grid = discretization_.grids[s];
+    settings.surfaceTexels[scene_.surfaces[s].name] = {grid.columns * finer[s], grid.rows * finer[s]};
     settings.isUnburied = settings.isUnburied && grid.cutTexels.empty();
   }
-  return discretize(of.scene, settings);
+  return discretize(scene_, settings);
 }
 
 /// The radiosity of finer elements, one per texel of `all`, without the emission of sources.
-BandTable radiosityOf(const Gathering& of, const Discretization& finer, const std::vector<LitTexels>& all) {
-  const ElementMaterials materials(of.scene, finer);
-  BandTable table(finer.elements.size(), materials.bands());
+BandTable Gatherer::radiosityOfFiner(const std::vector<LitTexels>& all) const {
+  const ElementMaterials materials(scene_, finer_);
+  BandTable table(finer_.elements.size(), materials.bands());
   for (std::uint32_t e = 0; e < table.size(); ++e) {
-    const auto& [area, surface, texel] = finer.elements[e];
+    const auto& [area, surface, texel] = finer_.elements[e];
     const std::span<const double> reflectance = materials.reflectance(surface, e), direct = all[surface].direct[texel],
                                   seen = all[surface].seen[texel];
     for (std::size_t band = 0; band < table.bands; ++band)
       table[e][band] = reflectance[band] * (direct[band] + seen[band]);
-    if (!of.direct.hasEmissionOf(surface)) addTo(table[e], materials.emission(surface, e));
+    if (!direct_.hasEmissionOf(surface)) addTo(table[e], materials.emission(surface, e));
   }
   return table;
 }
 
-}  // namespace
-
-GatheredLight gather(const Scene& scene, const Discretization& discretization, const IdLayout& layout,
-                     const TextureLayout& textures, const Solution& solution, const GatherSettings& settings,
-                     const std::function<void(double)>& progress) {
-  const DirectLight direct(scene, discretization);
-  const Gathering of{scene, discretization, direct, settings};
-  Magnifications magnifications;
-  for (const TexturePlace& place : textures.places)
-    magnifications.push_back(textures.textures[static_cast<std::size_t>(place.texture)].magnification);
-  GatheredLight result;
-  SeenElements seen(scene, discretization, layout, radiosityOf(scene, discretization, solution, direct),
-                    settings.resolution);
-  const Magnifications finer = finerElements(of, magnifications);
-  std::vector<LitTexels> all;
-  if (std::all_of(finer.begin(), finer.end(), [](int m) { return m == 1; })) {
-    all = litTexels(of, seen, magnifications, progress, result);
-  } else {
-    const Discretization divided = dividedFiner(of, finer);
-    const IdLayout finerLayout = layOut(divided);
-    SeenElements seenFiner(scene, divided, finerLayout,
-                           radiosityOf(of, divided, litTexels(of, seen, finer, progress, result)), settings.resolution);
-    all = litTexels(of, seenFiner, magnifications, progress, result);
-  }
-  const ElementMaterials materials(scene, discretization);
-  result.irradiance.resize(all.size());
+std::optional<GatheredLight> gather(const Scene& scene, const Discretization& discretization, const IdLayout& layout,
+                                    const TextureLayout& textures, const Solution& solution,
+                                    const GatherSettings& settings, const GatherProgress& progress) {
+  const Magnifications magnifications = magnificationsOf(textures);
+  Gatherer gatherer(scene, discretization, layout, textures, solution, settings, progress);
+  std::vector<LitTexels> all = texelsOf(scene, discretization, magnifications);
+  gatherer.light(all);
+  if (progress.isStopping()) return std::nullopt;
+  GatheredLight result{.irradiance = std::vector<std::vector<glm::dvec3>>(all.size()),
+                       .drawn = gatherer.drawn(),
+                       .error = gatherer.error()};
   raster::parallelFor(all.size(), [&](std::size_t s) {
-    result.irradiance[s] =
-        coloursOf(scene, discretization, materials, static_cast<std::uint32_t>(s), magnifications[s], all[s]);
+    result.irradiance[s] = gatherer.coloursOf(static_cast<std::uint32_t>(s), magnifications[s], all[s]);
   });
   for (const LitTexels& texels : all)
     result.texels += static_cast<std::size_t>(

@@ -1,5 +1,5 @@
 /// DirectLight against closed forms: lamps, suns, and the visible part of a face behind an edge.
-#include "radiosity/textures/direct_light.h"
+#include "radiosity/gather/direct_light.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>

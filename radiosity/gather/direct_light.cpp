@@ -1,4 +1,4 @@
-#include "radiosity/textures/direct_light.h"
+#include "radiosity/gather/direct_light.h"
 
 #include <algorithm>
 #include <array>

@@ -1,0 +1,58 @@
+/// The texels of display textures as places that light meets, and the direct light of each.
+///
+/// Direct light is the sum over sources of a closed form times a visible share (direct_light.h). Few rays tell whether
+/// a texel sees a part of a source. There, and beside texels that see another part of it, the share is measured by many
+/// rays. Sources that add little to the others have fewer: an eighth, and none inside blocks of 8 x 8 texels whose
+/// corners and middle see all of the source, or nothing.
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "radiosity/base/bands.h"
+#include "radiosity/discretization/discretization.h"
+#include "radiosity/gather/direct_light.h"
+#include "radiosity/scene/scene.h"
+
+namespace hemitex::radiosity {
+
+/// The texels of the display texture of a surface, row by row from v = 0.
+struct LitTexels {
+  int columns = 1, rows = 1;
+  std::vector<std::optional<LitPlace>> places;  ///< none where the surface has no exposed area
+  BandTable direct, seen;                       ///< irradiance of each in W/m^2, from sources and from elements
+  /// Whether the texel to the right or the next row show another part of the scene; empty: all are parts of one
+  /// surface.
+  std::vector<bool> isBeforeEdge = {};
+
+  Bands allLight(std::size_t texel) const {
+    Bands sum(seen[texel].begin(), seen[texel].end());
+    addTo(sum, direct[texel]);
+    return sum;
+  }
+  double light(std::size_t texel) const { return bandSum(direct[texel]) + bandSum(seen[texel]); }
+  std::size_t at(int column, int row) const {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(column);
+  }
+};
+
+/// The number of texels of a texture along the side of a texel of the grid, by surface.
+using Magnifications = std::vector<int>;
+
+/// The texels of all surfaces, without light.
+std::vector<LitTexels> texelsOf(const Scene& scene, const Discretization& discretization,
+                                const Magnifications& magnifications);
+
+/// Adds the direct light of all sources. The same bits for any number of threads. The light is incomplete if
+/// `isCancelled`, which may be null, becomes true.
+void addDirectLight(const DirectLight& direct, LitTexels& texels, const std::atomic<bool>* isCancelled);
+
+/// The mean normals of the elements of curved surfaces, and 0 for others.
+std::vector<glm::dvec3> smoothNormals(const Scene& scene, const Discretization& discretization);
+/// The texels of one surface, without light; `normals` are smoothNormals of the scene.
+LitTexels texelsOf(const Scene& scene, const Discretization& discretization, const std::vector<glm::dvec3>& normals,
+                   std::uint32_t surface, int magnification);
+
+}  // namespace hemitex::radiosity
