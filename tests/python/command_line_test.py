@@ -211,7 +211,7 @@ def test_solve_with_lamps_equals_hemitex_solve(tmp_path: Path) -> None:
     scene = hx.load_scene(DATA / "pyramid-room.obj", lamps=[((0.2, 1.5, 0.1), (3, 2, 1))])
     assert scene.lamps == [("lamp-1", (0.2, 1.5, 0.1), (3.0, 2.0, 1.0))]
     solution = hx.solve(hx.discretize(scene, texels=4), residual=0.01)
-    run("solve", DATA / "pyramid-room.obj", "--lamp", "0.2,1.5,0.05=3,2,1", "--texels", 4, "--residual", 0.01, "-o",
+    run("solve", DATA / "pyramid-room.obj", "--lamp", "0.2,1.5,0.1=3,2,1", "--texels", 4, "--residual", 0.01, "-o",
         tmp_path)
     assert np.array_equal(solution.radiosity, elements_of(tmp_path)["radiosity"])
     moved = hx.edit(scene, hx.Move("lamp-1", (0, 0, 1))).lit_from_outside(sky=1)
