@@ -437,7 +437,7 @@ Rows gltfRows() {
       cube.text["accessors"].back()["normalized"] = true;
     };
   };
-  const auto moved = [](Gltf& cube) {
+  const auto atDistance = [](Gltf& cube) {
     std::vector<float> positions;
     for (const std::vector<int>& face : cubeFaces)
       for (const int corner : face) {
@@ -604,7 +604,7 @@ Rows gltfRows() {
            },
            lit(2))}},
       {"sparse accessors", {gltf(sparse, lit(2))}},
-      {"coordinates far from the origin", {gltf(moved, rounded)}},
+      {"coordinates far from the origin", {gltf(atDistance, rounded)}},
       {"`targets` with `weights`", {gltf(morphed(false), lit(2)), gltf(morphed(true), lit(2))}},
       {"`baseColorFactor`, `baseColorTexture`",
        {gltf(nothing, lit(2)), gltf([](Gltf& cube) { cube.colour().clear(); }, lit(5, {"states no colour"}))}},
