@@ -41,7 +41,7 @@ TEST_CASE("MatrixRows rounds the errors of entries as files hold them", "[matrix
 TEST_CASE("MatrixRows smooths rows, and their errors change in the ratio of those of their entries", "[matrix_rows]") {
   const Taken result = taken(true, true);
   REQUIRE(result.rows.size() == 2);
-  CHECK(result.rows[0].value == std::vector<double>{0.5, 0.5, 0});  // reciprocal already
+  CHECK(result.rows[0].value == std::vector<double>{0.5, 0.5});  // reciprocal already
   // Both measurements of the exchange have errors of about .1 and .125: their harmonic mean is 1/9.
   CHECK(result.rows[0].error[0] == Approx(1 / 9.0).epsilon(1e-6));
   CHECK(result.errors[0] == Approx(0.2 / 0.9).epsilon(1e-6));
