@@ -85,7 +85,7 @@ glm::dvec3 differenceBy(Box& box, std::vector<glm::dvec3>& values, std::size_t e
 
 /// The derivatives of one target.
 Sensitivity sensitivity(const SolveInput& input, const std::vector<glm::dvec3>& weights) {
-  return sensitivities(input, std::vector{weights}).front();
+  return sensitivities(input, {&weights, 1}).front();
 }
 
 void checkNear(const glm::dvec3& found, const glm::dvec3& expected, double tolerance) {
