@@ -22,6 +22,7 @@
 #include "raster/base/input_error.h"
 #include "reference/base/hashes/sha256.h"
 #include "reference/matrices/matrix_files.h"
+#include "reference/matrices/matrix_rows.h"
 #include "reference/matrices/measured_twice.h"
 #include "reference/matrices/npz_file.h"
 #include "reference/matrices/smoothing.h"
@@ -46,12 +47,9 @@ reference::FormFactorMatrix factorsOf(const std::vector<SparseRow>& matrix) {
   return factors;
 }
 
-/// By so many of its standard errors smoothing may move an entry.
-constexpr double standardErrors = 4;
-
 /// Smooths the rows of a matrix.
 reference::SmoothingMoves smooth(std::vector<SparseRow>& matrix, const RowReceivers& receivers) {
-  reference::MatrixSmoother smoother(receivers.area, standardErrors);
+  reference::MatrixSmoother smoother(receivers.area, reference::maxStandardErrors);
   for (const SparseRow& row : matrix) smoother.add(row);
   const reference::SmoothingMoves moves = smoother.smooth();
   std::size_t next = 0;
@@ -179,25 +177,6 @@ void forEachRow(const RowMethod& method, const Families& families, RowFile* file
   context.console.endProgress();
 }
 
-/// What the matrix says of itself: names only where they are more than numbers.
-reference::MatrixHeading headingOf(const Families& families, const RowReceivers& receivers) {
-  reference::MatrixHeading heading{receivers.area};
-  for (std::size_t f = 0; f < families.names.size(); ++f)
-    if (families.names[f] != std::to_string(f)) {
-      heading.names = families.names;
-      break;
-    }
-  return heading;
-}
-
-/// The sum of the errors of the facets of a row.
-double errorOf(const SparseRow& row, std::size_t facets) {
-  double sum = 0;
-  for (std::size_t k = 0; k < row.error.size(); ++k)
-    if (row.column[k] < facets) sum += row.error[k];
-  return sum;
-}
-
 /// Writes the rows of a matrix, or smooths them first, and collects what the JSON file says of them.
 class MatrixOutput {
  public:
@@ -207,26 +186,14 @@ class MatrixOutput {
 
   MatrixOutput(const std::filesystem::path& file, const reference::MatrixHeading& heading, bool isSmooth,
                bool isBounded, Watch watch)
-      : heading_(heading), writer_(reference::matrixSink(file, heading)), watch_(std::move(watch)) {
-    if (isSmooth) smoother_.emplace(heading.area, isBounded ? 1 : standardErrors);
-  }
+      : writer_(reference::matrixSink(file, heading)),
+        watch_(std::move(watch)),
+        rows_(heading.area, isSmooth, isBounded, [this](const SparseRow& row, double error) { write(row, error); }) {}
 
-  void take(SparseRow row) {
-    for (double& error : row.error) error = reference::asStored(error);
-    measured_.push_back({row.rowError.value_or(0), errorOf(row, heading_.facets())});
-    hasRowErrors_ = hasRowErrors_ || row.rowError;
-    if (smoother_)
-      smoother_->add(row);
-    else
-      write(row);
-  }
+  void take(SparseRow row) { rows_.add(std::move(row)); }
   /// To be called after the last row. Returns how far form factors moved, if they were smoothed.
   std::optional<reference::SmoothingMoves> finish() {
-    std::optional<reference::SmoothingMoves> moves;
-    if (smoother_) {
-      moves = smoother_->smooth();
-      smoother_->forEachRow([this](const SparseRow& row) { write(row); });
-    }
+    const std::optional<reference::SmoothingMoves> moves = rows_.finish();
     writer_->finish();
     return moves;
   }
@@ -234,12 +201,12 @@ class MatrixOutput {
   const std::vector<double>& errors() const { return errors_; }
   nlohmann::ordered_json toJson() const {
     nlohmann::ordered_json text{{"entries", entries_}, {"row_sums", {smallestSum_, largestSum_}}};
-    if (hasRowErrors_) text["errors"] = errors_;
+    if (rows_.hasRowErrors()) text["errors"] = errors_;
     return text;
   }
 
  private:
-  void write(const SparseRow& row) {
+  void write(const SparseRow& row, double error) {
     double sum = 0;
     for (const double factor : row.value) sum += factor;
     entries_ += row.value.size() - static_cast<std::size_t>(std::count(row.value.begin(), row.value.end(), 0.0));
@@ -247,24 +214,15 @@ class MatrixOutput {
       smallestSum_ = std::min(smallestSum_, sum);
       largestSum_ = std::max(largestSum_, sum);
     }
-    const auto& [error, ofEntries] = measured_[errors_.size()];
-    const bool isChanged = smoother_ && ofEntries > 0;
-    errors_.push_back(isChanged ? error * errorOf(row, heading_.facets()) / ofEntries : error);
-    if (watch_) watch_(row, errors_.back());
+    errors_.push_back(error);
+    if (watch_) watch_(row, error);
     writer_->write(row);
   }
 
-  reference::MatrixHeading heading_;
   std::unique_ptr<reference::RowSink> writer_;
   Watch watch_;
-  std::optional<reference::MatrixSmoother> smoother_;
-  /// The error of a row before it is smoothed, and the sum of those of its entries.
-  struct RowError {
-    double row = 0, ofEntries = 0;
-  };
-  std::vector<RowError> measured_;  ///< one per row; 0 if the method or the row has none
-  std::vector<double> errors_;      ///< of the rows that are written
-  bool hasRowErrors_ = false;
+  reference::MatrixRows rows_;
+  std::vector<double> errors_;  ///< of the rows that are written
   std::size_t entries_ = 0;
   double smallestSum_ = std::numeric_limits<double>::infinity(), largestSum_ = 0;
 };
@@ -324,7 +282,7 @@ void writeMatrix(const FormFactorOptions& options, Context& context, const radio
   const std::unique_ptr<RowFile> file = rowFileOf(options, context, scene, {description});
   const RowMethod method = methodOf(options, scene, discretization, receivers, context);
   if (!file) return forEachRow(method, families, nullptr, context, {});
-  reference::MatrixHeading heading = headingOf(families, receivers);
+  reference::MatrixHeading heading = reference::headingOf(receivers.area, families.names);
   heading.hasErrors = options.maxError || options.method == "rays";
   std::vector<double> backs;
   MatrixOutput matrix(file->staging().file(), heading, options.smooth, options.maxError.has_value(),

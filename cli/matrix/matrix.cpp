@@ -1,6 +1,4 @@
 /// `hemitex matrix`: judges and compares matrices of form factors that any program computed for a mesh.
-#include <algorithm>
-#include <cmath>
 #include <iostream>
 #include <memory>
 
@@ -16,6 +14,7 @@
 #include "radiosity/scene/mesh_sections.h"
 #include "radiosity/scene/surface_names.h"
 #include "raster/base/input_error.h"
+#include "reference/matrices/matrix_difference.h"
 #include "reference/matrices/matrix_files.h"
 #include "reference/matrices/matrix_judge.h"
 #include "reference/rows/scene_rows.h"
@@ -52,7 +51,8 @@ Mesh meshOf(SceneOptions options, Console& console) {
 /// The facets that repeat another one with area, and the other one.
 std::vector<std::pair<std::uint32_t, std::uint32_t>> repeatedFacets(const SceneOptions& options,
                                                                     const radiosity::Families& facets) {
-  const std::vector<std::uint32_t> first = radiosity::firstOfEqual(facetsOfFile(options.file, options.settings.sides));
+  const std::vector<std::uint32_t> first =
+      radiosity::firstOfEqual(radiosity::readFaces(options.file, options.settings.sides));
   std::vector<std::pair<std::uint32_t, std::uint32_t>> repeated;
   for (std::uint32_t f = 0; f < first.size(); ++f)
     if (first[f] != f && !facets.surfaces[first[f]].empty() && facets.surfaces[f].empty())
@@ -88,41 +88,6 @@ void check(const MatrixOptions& options, Context& context) {
   if (verdict.problems.empty()) std::cout << "nothing wrong was found\n";
 }
 
-/// How far the rows of two matrices are apart, per facet.
-struct Differences {
-  std::vector<double> sum;         ///< of the row of the first matrix
-  std::vector<double> difference;  ///< sum of the absolute differences of the row
-  std::vector<double> received;    ///< by how much the light differs that each facet receives from radiosity 1
-};
-
-/// Calls take(to, a, b) for each facet that a row has an entry for in a or b.
-template <typename Take>
-void forEachPair(const reference::SparseRow& a, const reference::SparseRow& b, std::uint32_t facets, const Take& take) {
-  std::size_t i = 0, k = 0;
-  const auto isLeft = [&](const reference::SparseRow& row, std::size_t at) {
-    return at < row.column.size() && row.column[at] < facets;
-  };
-  while (isLeft(a, i) || isLeft(b, k)) {
-    const std::uint32_t column = std::min(isLeft(a, i) ? a.column[i] : facets, isLeft(b, k) ? b.column[k] : facets);
-    const double x = isLeft(a, i) && a.column[i] == column ? a.value[i++] : 0,
-                 y = isLeft(b, k) && b.column[k] == column ? b.value[k++] : 0;
-    take(column, x, y);
-  }
-}
-
-Differences differencesOf(const reference::SparseMatrix& a, const reference::SparseMatrix& b,
-                          const std::vector<double>& area) {
-  const std::size_t facets = area.size();
-  Differences result{std::vector<double>(facets), std::vector<double>(facets), std::vector<double>(facets)};
-  for (std::size_t f = 0; f < facets; ++f)
-    forEachPair(a.row(f), b.row(f), static_cast<std::uint32_t>(facets), [&](std::uint32_t to, double x, double y) {
-      result.sum[f] += x;
-      result.difference[f] += std::abs(x - y);
-      if (area[to] > 0) result.received[to] += area[f] * std::abs(x - y) / area[to];
-    });
-  return result;
-}
-
 void compare(const MatrixOptions& options, Context& context) {
   const reference::SparseMatrix a = reference::readMatrix(options.matrix).matrix,
                                 b = reference::readMatrix(options.other).matrix;
@@ -135,13 +100,7 @@ void compare(const MatrixOptions& options, Context& context) {
           "has " + std::to_string(matrix->rows()) + " rows, and the mesh has " + std::to_string(facets) + " facets",
           "give matrices of this mesh");
   const std::vector<double> area = reference::familiesAsReceivers(mesh.discretization, mesh.facets).area;
-  const Differences found = differencesOf(a, b, area);
-  double all = 0, apart = 0;
-  for (std::size_t f = 0; f < facets; ++f) {
-    all += area[f] * found.sum[f];
-    apart += area[f] * found.difference[f];
-  }
-  const double share = all > 0 ? apart / all : 0;
+  const reference::MatrixDifference found = reference::matrixDifference(a, b, area);
   if (!options.vtu.empty())
     FacetFile(options.vtu, "matrix compare", context.inputs(mesh.scene.files))
         .write(options.mesh.file, options.mesh.settings.sides,
@@ -152,10 +111,10 @@ void compare(const MatrixOptions& options, Context& context) {
                       return {std::int64_t(f), area[f], found.sum[f], found.difference[f]};
                     }};
   if (context.json) {
-    std::cout << toText({{"difference", share}, {"facets", toJson(table)}});
+    std::cout << toText({{"difference", found.share}, {"facets", toJson(table)}});
     return;
   }
-  context.console.message("the matrices differ by " + percentText(share) + " of the exchange between facets");
+  context.console.message("the matrices differ by " + percentText(found.share) + " of the exchange between facets");
   writeCsv(std::cout, table);
 }
 

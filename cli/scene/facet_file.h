@@ -1,4 +1,4 @@
-/// The facets of a mesh file, and a file of them with values (`.vtu`), which a command writes beside its result.
+/// A file of the facets of a mesh with values (`.vtu`), which a command writes beside its result.
 #pragma once
 
 #include <filesystem>
@@ -11,10 +11,6 @@
 #include "radiosity/scene/scene_settings.h"
 
 namespace hemitex::cli {
-
-/// The faces of a file, as facets are numbered; with Sides::Two also their backs, in the same order. Throws InputError
-/// as radiosity::loadScene.
-radiosity::PolygonMesh facetsOfFile(const std::filesystem::path& mesh, radiosity::Sides sides);
 
 class FacetFile {
  public:

@@ -154,7 +154,7 @@ std::vector<std::string> writeSolved(const std::filesystem::path& folder, const 
   radiosity::writePng(folder / "render.png", pictureOf(solved, lit));
   raster::writeFile(folder / "scene.view.json", toText(toJson(solved.camera)));
   if (writesFacets(options))
-    radiosity::writeVtu(folder / "scene.vtu", facetsOfFile(options.scene.file, options.scene.settings.sides),
+    radiosity::writeVtu(folder / "scene.vtu", radiosity::readFaces(options.scene.file, options.scene.settings.sides),
                         facetArrays(solved));
   if (!options.noElements)
     raster::writeFile(folder / "elements.csv", [&solved](std::ostream& stream) {

@@ -3,10 +3,9 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
-#include <algorithm>
+#include <initializer_list>
 #include <limits>
 #include <memory>
-#include <numeric>
 #include <utility>
 
 #include "python/bindings/arrays.h"
@@ -17,8 +16,10 @@
 #include "radiosity/form_factors/projected_form_factors.h"
 #include "radiosity/index_maps/scene_draw_list.h"
 #include "radiosity/projection/projection_kinds.h"
+#include "reference/matrices/matrix_difference.h"
 #include "reference/matrices/matrix_files.h"
 #include "reference/matrices/matrix_judge.h"
+#include "reference/matrices/matrix_rows.h"
 #include "reference/matrices/measured_twice.h"
 #include "reference/rows/scene_rows.h"
 #include "reference/truth/closed_forms/polygon_to_polygon.h"
@@ -32,11 +33,17 @@ using reference::RowReceivers;
 using reference::SparseRow;
 using namespace py::literals;
 
-/// A name, the number of a surface, or a tuple (name, column, row).
+/// A name, the number of a facet or surface, or a tuple (name, column, row).
 reference::Source sourceOf(const Elements& elements, const py::object& source) {
-  if (py::isinstance<py::int_>(source) && !py::isinstance<py::bool_>(source)) {
-    const auto last = static_cast<std::int64_t>(elements.scene->surfaces.size()) - 1;
-    return {{static_cast<std::uint32_t>(integerOf(source, "source", 0, last))}};
+  if (PyIndex_Check(source.ptr()) != 0) {
+    const std::vector<std::vector<std::uint32_t>> facets =
+        elements.facets ? familiesOf(elements).surfaces : std::vector<std::vector<std::uint32_t>>();
+    const std::size_t count = elements.facets ? facets.size() : elements.scene->surfaces.size();
+    const auto number =
+        static_cast<std::uint32_t>(integerOf(source, "source", 0, static_cast<std::int64_t>(count) - 1));
+    if (!elements.facets) return {{number}};
+    if (facets[number].empty()) throw InputError("facet " + std::to_string(number) + " has no area that is open");
+    return {facets[number]};
   }
   if (py::isinstance<py::str>(source)) return {radiosity::surfacesNamed(*elements.scene, textOf(source, "source"))};
   if (!py::isinstance<py::tuple>(source) || py::len(source) != 3)
@@ -47,9 +54,20 @@ reference::Source sourceOf(const Elements& elements, const py::object& source) {
                                 static_cast<int>(integerOf(place[2], "row", -1, 1 << 20)));
 }
 
+/// Throws InputError if one of the settings is given, which what was `chosen` does not use.
+void refuse(const Settings& settings, std::initializer_list<const char*> names, const std::string& chosen) {
+  for (const char* name : names)
+    if (settings.value(name))
+      throw InputError("`" + std::string(name) + "` has no effect with " + chosen, "omit one of them");
+}
+
 reference::RowMethod methodOf(const Elements& elements, const RowReceivers& receivers, const Settings& settings,
                               const py::object& makeRenderer) {
   const std::string method = settings.text("method").value_or("hemicube");
+  const std::string chosen = settings.value("max_error") ? "`max_error`" : "`method` " + raster::excerpt(method);
+  if (method != "rays") refuse(settings, {"samples", "seed", "aimed"}, chosen);
+  if (method == "rays" || method == "analytic" || settings.value("max_error"))
+    refuse(settings, {"resolution", "orientation", "split", "elements_by"}, chosen);
   if (const auto maxError = settings.number("max_error", 1e-9, 1)) {
     if (!elements.facets) throw InputError("`max_error` is for facets", "load the scene with facets=True");
     if (method != "hemicube") throw InputError("`max_error` chooses how rows are measured", "omit `method`");
@@ -92,13 +110,15 @@ py::dict formFactorRow(const SharedElements& elements, const py::object& source,
                   "surroundings"_a = outside.surroundings, "backs"_a = outside.backs, "captured"_a = method.captured);
 }
 
-/// Compressed rows as NumPy arrays of SciPy's types.
+/// Compressed rows as NumPy arrays of SciPy's types, and the errors of their entries or None.
 py::dict rowsDict(reference::SparseMatrix matrix) {
   std::vector<std::int64_t> starts(matrix.rowStart.begin(), matrix.rowStart.end());
   std::vector<std::int64_t> columns(matrix.column.begin(), matrix.column.end());
   const std::size_t rows = matrix.rows();
+  const py::object errors = matrix.error.empty() ? py::object(py::none()) : toArray(std::move(matrix.error));
   return py::dict("data"_a = toArray(std::move(matrix.value)), "indices"_a = toArray(std::move(columns)),
-                  "indptr"_a = toArray(std::move(starts)), "shape"_a = py::make_tuple(rows, matrix.columns));
+                  "errors"_a = errors, "indptr"_a = toArray(std::move(starts)),
+                  "shape"_a = py::make_tuple(rows, matrix.columns));
 }
 
 py::dict formFactorMatrix(const SharedElements& elements, const py::dict& given, const py::object& makeRenderer,
@@ -108,34 +128,37 @@ py::dict formFactorMatrix(const SharedElements& elements, const py::dict& given,
   const RowReceivers receivers = reference::familiesAsReceivers(elements->discretization, families);
   const reference::RowMethod method = methodOf(*elements, receivers, settings, makeRenderer);
   const std::size_t count = families.names.size();
-  reference::SparseMatrix matrix{.columns = count};
-  std::vector<double> surroundings, backs, errors;
-  bool hasErrors = false;
-  const bool isBounded = settings.number("max_error", 1e-9, 1).has_value();
+  const bool isBounded = settings.value("max_error").has_value();
+  const bool isSmooth = settings.flag("smooth").value_or(false);
+  reference::SparseMatrix matrix{.columns = count + 2};
+  std::vector<double> errors;
   Progress told(std::move(progress));
   unlocked([&] {
-    std::vector<SparseRow> rows;
+    reference::MatrixRows rows(receivers.area, isSmooth, isBounded, [&](const SparseRow& row, double error) {
+      matrix.append(row);
+      errors.push_back(isBounded ? error : reference::errorOfEntries(row, count));
+    });
     reference::MeasuredTwice measured(receivers.area);
+    std::vector<SparseRow> waiting;
     for (std::size_t from = 0; from < count; ++from) {
       told.tell(static_cast<double>(from) / static_cast<double>(count));
-      rows.push_back(families.surfaces[from].empty() ? SparseRow() : method.row({families.surfaces[from]}));
-      if (isBounded) measured.add(rows.back());
+      SparseRow row = families.surfaces[from].empty() ? SparseRow() : method.row({families.surfaces[from]});
+      if (!isBounded) {
+        rows.add(std::move(row));
+        continue;
+      }
+      measured.add(row);
+      waiting.push_back(std::move(row));
     }
-    for (std::size_t from = 0; from < count; ++from) {
-      SparseRow& row = rows[from];
-      if (isBounded) measured.widen(static_cast<std::uint32_t>(from), row);
-      const OutsideShares outside = row.takeOutside(count);
-      matrix.append(row);
-      surroundings.push_back(outside.surroundings.value_or(0));
-      backs.push_back(outside.backs.value_or(0));
-      errors.push_back(row.rowError.value_or(std::accumulate(row.error.begin(), row.error.end(), 0.0)));
-      hasErrors = hasErrors || row.rowError || !row.error.empty();
+    for (std::size_t from = 0; from < waiting.size(); ++from) {
+      measured.widen(static_cast<std::uint32_t>(from), waiting[from]);
+      rows.add(std::move(waiting[from]));
     }
+    rows.finish();
     told.tell(1);
   });
+  const bool hasErrors = isBounded || !matrix.error.empty();
   py::dict result = rowsDict(std::move(matrix));
-  result["surroundings"] = toArray(std::move(surroundings));
-  result["backs"] = toArray(std::move(backs));
   result["area"] = toArray(receivers.area);
   result["error"] = hasErrors ? py::object(toArray(std::move(errors))) : py::object(py::none());
   result["names"] = families.names;
@@ -162,6 +185,25 @@ double polygonFormFactor(const py::object& from, const py::object& to) {
   return unlocked([&] { return reference::polygonToPolygon(a, b); });
 }
 
+/// A matrix of SciPy's compressed rows (data, indices, indptr) with this many rows. `errors` are those of its entries,
+/// or None.
+reference::SparseMatrix matrixOf(const py::object& data, const py::object& indices, const py::object& indptr,
+                                 const py::object& errors, std::int64_t rows, std::int64_t columns) {
+  const Array<double> values = numbers(data, "matrix", {-1});
+  const Array<std::int64_t> starts = integers(indptr, "matrix", {rows + 1}, 0, values.shape[0]);
+  const Array<std::int64_t> column = integers(indices, "matrix", {values.shape[0]}, 0, columns - 1);
+  reference::SparseMatrix matrix{.columns = static_cast<std::uint64_t>(columns)};
+  matrix.rowStart.assign(starts.values.begin(), starts.values.end());
+  matrix.column.assign(column.values.begin(), column.values.end());
+  matrix.value.assign(values.values.begin(), values.values.end());
+  if (!errors.is_none()) {
+    const Array<double> ofEntries = numbers(errors, "errors", {values.shape[0]});
+    matrix.error.assign(ofEntries.values.begin(), ofEntries.values.end());
+  }
+  unlocked([&] { reference::checkAndSort(matrix, "the matrix"); });
+  return matrix;
+}
+
 py::dict checkMatrix(const SharedElements& facets, const py::object& data, const py::object& indices,
                      const py::object& indptr, const py::object& columns, const py::dict& given) {
   const Settings settings(given);
@@ -171,21 +213,9 @@ py::dict checkMatrix(const SharedElements& facets, const py::object& data, const
   assign(judge.samples, settings.integer("samples", 64, 1 << 26));
   const radiosity::Families families = familiesOf(*facets);
   const auto count = static_cast<std::int64_t>(families.names.size());
-  const Array<double> values = numbers(data, "data", {-1});
-  if (py::isinstance<py::array>(indptr) && py::len(indptr) != static_cast<std::size_t>(count) + 1)
-    throw InputError("the matrix has " + std::to_string(static_cast<std::int64_t>(py::len(indptr)) - 1) +
-                     " rows, but the mesh has " + std::to_string(count) + " facets");
-  const Array<std::int64_t> starts = integers(indptr, "indptr", {count + 1}, 0, values.shape[0]);
-  reference::SparseMatrix matrix;
-  matrix.columns = static_cast<std::uint64_t>(integerOf(columns, "columns", count, count + 2));
-  if (matrix.columns == static_cast<std::uint64_t>(count) + 1)
-    throw InputError("the matrix has one column more than the mesh has facets", "give none, or two");
-  const Array<std::int64_t> column = integers(indices, "indices", {values.shape[0]}, 0, matrix.columns - 1);
-  matrix.rowStart.assign(starts.values.begin(), starts.values.end());
-  matrix.column.assign(column.values.begin(), column.values.end());
-  matrix.value.assign(values.values.begin(), values.values.end());
+  const std::int64_t width = integerOf(columns, "columns", count, count + 2);
+  const reference::SparseMatrix matrix = matrixOf(data, indices, indptr, py::none(), count, width);
   const reference::MatrixVerdict verdict = unlocked([&] {
-    reference::checkAndSort(matrix, "the matrix");
     return reference::judgeMatrix(
         matrix, {*facets->scene, facets->discretization, families.ofSurface, families.names.size()}, judge);
   });
@@ -200,6 +230,37 @@ py::dict readMatrix(const std::filesystem::path& file) {
   py::dict result = rowsDict(std::move(found.matrix));
   result["area"] = found.area.empty() ? py::object(py::none()) : py::object(toArray(std::move(found.area)));
   return result;
+}
+
+/// Writes a matrix with the columns of surroundings and backs, as `hemitex formfactors` does.
+void writeMatrix(const std::filesystem::path& file, const py::object& data, const py::object& indices,
+                 const py::object& indptr, const py::object& errors, const py::object& area,
+                 const std::vector<std::string>& names) {
+  const Array<double> areas = numbers(area, "area", {static_cast<py::ssize_t>(names.size())});
+  reference::MatrixHeading heading = reference::headingOf({areas.values.begin(), areas.values.end()}, names);
+  heading.hasErrors = !errors.is_none();
+  const auto rows = static_cast<std::int64_t>(names.size());
+  const reference::SparseMatrix matrix = matrixOf(data, indices, indptr, errors, rows, rows + 2);
+  unlocked([&] {
+    const auto sink = reference::matrixSink(file, heading);
+    for (std::size_t r = 0; r < matrix.rows(); ++r) sink->write(matrix.row(r));
+    sink->finish();
+  });
+}
+
+/// `first` and `second` are (data, indices, indptr, columns), with a row for each area.
+py::dict compareMatrices(const py::tuple& first, const py::tuple& second, const py::object& area) {
+  const Array<double> areas = numbers(area, "area", {-1});
+  const auto matrix = [&](const py::tuple& parts) {
+    return matrixOf(parts[0], parts[1], parts[2], py::none(), areas.shape[0],
+                    integerOf(py::object(parts[3]), "columns", areas.shape[0], areas.shape[0] + 2));
+  };
+  const reference::SparseMatrix a = matrix(first), b = matrix(second);
+  reference::MatrixDifference found = unlocked([&] {
+    return reference::matrixDifference(a, b, {areas.values.begin(), areas.values.end()});
+  });
+  return py::dict("row_sum"_a = toArray(std::move(found.sum)), "difference"_a = toArray(std::move(found.difference)),
+                  "difference_received"_a = toArray(std::move(found.received)), "share"_a = found.share);
 }
 
 /// The element of each item ID; -1 for the background and -2 for backs.
@@ -281,6 +342,8 @@ void addFormFactors(py::module_& module) {
   module.def("polygon_form_factor", &polygonFormFactor);
   module.def("check_matrix", &checkMatrix);
   module.def("read_matrix", &readMatrix);
+  module.def("write_matrix", &writeMatrix);
+  module.def("compare_matrices", &compareMatrices);
   module.def("hemicube", &hemicube);
 }
 

@@ -215,29 +215,34 @@ py::dict aboutSolution(const Solved& solved) {
   return about;
 }
 
-py::dict sensitivityOf(const Solved& solved, const py::object& weights, py::object progress) {
+/// The derivatives of targets, each an array of weights.
+py::list sensitivitiesOf(const Solved& solved, const py::list& targets, py::object progress) {
   const SharedElements elements = solved.elements;
   if (!elements->scene->wavelengths.empty())
     throw InputError("sensitivities are those of red, green and blue", "solve the scene without in_bands");
   const auto count = static_cast<py::ssize_t>(elements->discretization.elements.size());
-  const std::vector<glm::dvec3> ofElements = vectorsOf(numbers(weights, "weights", {count, 3}));
+  std::vector<std::vector<glm::dvec3>> weights;
+  for (const py::handle& target : targets) weights.push_back(vectorsOf(numbers(target, "target", {count, 3})));
   Progress told(std::move(progress));
-  radiosity::Sensitivity found = unlocked([&] {
+  std::vector<radiosity::Sensitivity> found = unlocked([&] {
     const auto tell = [&](std::size_t done, std::size_t all) {
       told.tell(static_cast<double>(done) / static_cast<double>(all));
     };
-    radiosity::Sensitivity sensitivity;
+    std::vector<radiosity::Sensitivity> ofTargets;
     radiosity::LightHooks hooks = hooksOf(solved.method);
     hooks.solve = [&](const radiosity::SolveInput& input) {
-      sensitivity = radiosity::sensitivity(input, ofElements, tell);
+      ofTargets = radiosity::sensitivities(input, weights, tell);
       return radiosity::Solution();
     };
     radiosity::light(*elements->scene, elements->discretization, {.drawing = solved.method.light.drawing}, hooks);
-    return sensitivity;
+    return ofTargets;
   });
-  return py::dict("target"_a = toTuple(found.target), "by_emission"_a = toArray(std::move(found.byEmission)),
-                  "by_reflectance"_a = toArray(std::move(found.byReflectance)),
-                  "radiosity"_a = toArray(std::move(found.radiosity)));
+  py::list result;
+  for (radiosity::Sensitivity& each : found)
+    result.append(py::dict("target"_a = toTuple(each.target), "by_emission"_a = toArray(std::move(each.byEmission)),
+                           "by_reflectance"_a = toArray(std::move(each.byReflectance)),
+                           "radiosity"_a = toArray(std::move(each.radiosity))));
+  return result;
 }
 
 /// Limits the threads of all calls while it lives.
@@ -263,7 +268,7 @@ void addLight(py::module_& module) {
   module.def("solve", &solve);
   module.def("edit_solution", &edit);
   module.def("about_solution", &aboutSolution);
-  module.def("sensitivity", &sensitivityOf);
+  module.def("sensitivities", &sensitivitiesOf);
   module.def("elements_of", [](const Solved& solved) { return std::const_pointer_cast<Elements>(solved.elements); });
   module.def("radiosity", [](const Solved& solved) {
     return sharedArray(std::shared_ptr<const std::vector<glm::dvec3>>(solved.solution, &solved.solution->radiosity));

@@ -15,6 +15,7 @@
 #include "radiosity/discretization/patch_points.h"
 #include "radiosity/meshes/length_unit.h"
 #include "radiosity/meshes/polygon_mesh.h"
+#include "radiosity/meshes/vtu_file.h"
 #include "radiosity/pictures/default_camera.h"
 #include "radiosity/scene/load_scene.h"
 #include "radiosity/scene/materials.h"
@@ -150,15 +151,18 @@ PythonScene sceneFromArrays(const py::object& vertices, const py::object& corner
                       light = numbers(emission, "emission", {-1, 3});
   const Array<std::int64_t> material =
       integers(materialOf, "reflectance", {faces}, 0, std::min(rho.shape[0], light.shape[0]) - 1);
-  const radiosity::PolygonMesh mesh = meshOf(points, indices, faceCounts, group, material, groups);
+  const auto mesh =
+      std::make_shared<const radiosity::PolygonMesh>(meshOf(points, indices, faceCounts, group, material, groups));
   const std::vector<glm::dvec3> reflectances = vectorsOf(rho), emissions = vectorsOf(light);
   return {unlocked([&] {
             const auto named = [&](const std::vector<std::string>& names) {
               return materialsNamed(names, reflectances, emissions, settings);
             };
-            return shared(radiosity::makeScene(mesh, named, "arrays", settings), settings);
+            return shared(radiosity::makeScene(*mesh, named, "arrays", settings), settings);
           }),
-          settings.facets};
+          settings.facets,
+          {},
+          settings.facets ? mesh : nullptr};
 }
 
 PythonScene editedScene(const PythonScene& former, const py::sequence& list) {
@@ -205,7 +209,9 @@ PythonScene withLight(const PythonScene& former, const py::object& sky, const py
   }
   for (const auto& [position, intensity] : lightsOf(lamps, "lamps", "give (position, intensity) for each"))
     scene.lamps.push_back({"lamp-" + std::to_string(scene.lamps.size() + 1), position, intensity});
-  return {std::make_shared<const Scene>(std::move(scene)), former.facets, former.removed};
+  PythonScene lit = former;
+  lit.scene = std::make_shared<const Scene>(std::move(scene));
+  return lit;
 }
 
 /// The scene in bands. `spectra` has a dictionary for each material, with lists named `reflectance` and `emission`.
@@ -284,6 +290,28 @@ py::tuple trianglesOf(const PythonScene& scene) {
     }
   const auto count = static_cast<py::ssize_t>(surfaces.size());
   return py::make_tuple(toArray(std::move(corners), {count, 3, 3}), toArray(std::move(surfaces)));
+}
+
+/// Writes the facets of a scene with arrays of values by their names.
+void writeFacets(const std::filesystem::path& file, const PythonScene& scene, const py::dict& values) {
+  if (file.extension() != ".vtu") throw InputError("the name of a file for ParaView does not end in .vtu", "rename it");
+  if (!scene.facets) throw InputError("the scene has no facets", "load it with facets=True, or make it without names");
+  if (!scene.mesh && scene.scene->files.empty())
+    throw InputError("the scene was edited", "give the one that it was made of");
+  const std::size_t count = radiosity::facetsOf(*scene.scene).names.size();
+  std::vector<radiosity::FaceArray> arrays;
+  for (const auto& [name, array] : values) {
+    const Array<double> found = numbers(array, textOf(name, "name"), {static_cast<py::ssize_t>(count)});
+    arrays.push_back({textOf(name, "name"), 1, {found.values.begin(), found.values.end()}});
+  }
+  unlocked([&] {
+    radiosity::PolygonMesh mesh = scene.mesh ? *scene.mesh : radiosity::readFaces(scene.scene->files.front());
+    if (2 * mesh.polygons.size() == count) mesh = radiosity::withBacks(std::move(mesh));
+    if (mesh.polygons.size() != count)
+      throw InputError(scene.scene->files.front().string(), 0, "has other facets than when it was loaded",
+                       "load it again");
+    radiosity::writeVtu(file, mesh, arrays);
+  });
 }
 
 radiosity::DiscretizationSettings discretizationSettings(const Settings& settings, const Scene& scene, bool facets) {
@@ -398,6 +426,7 @@ void addScenes(py::module_& module) {
   module.def("in_bands", &inBands);
   module.def("about_scene", &aboutScene);
   module.def("triangles", &trianglesOf);
+  module.def("write_facets", &writeFacets);
   module.def("default_camera", [](const PythonScene& scene) {
     return cameraDict(unlocked([&] { return radiosity::defaultCamera(*scene.scene); }));
   });

@@ -5,6 +5,7 @@
 
 #include "python/bindings/calls.h"
 #include "radiosity/discretization/discretization.h"
+#include "radiosity/meshes/polygon_mesh.h"
 #include "radiosity/scene/scene.h"
 #include "radiosity/scene/scene_edits.h"
 #include "radiosity/scene/surface_names.h"
@@ -18,6 +19,7 @@ struct PythonScene {
   SharedScene scene;
   bool facets = false;  ///< whether each face of the file is a surface
   std::vector<radiosity::Surface> removed = {};
+  std::shared_ptr<const radiosity::PolygonMesh> mesh = {};  ///< of facets that are no file's
 };
 
 /// A scene that is divided into elements and patches.

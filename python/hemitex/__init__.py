@@ -19,8 +19,8 @@ share that is done, and stop on Ctrl-C. Other threads run meanwhile. Results nev
 from ._core import InputError
 from .cameras import Camera, camera
 from .conformance import Explanation, TestVector, Verdict, explain, judge, read_vector, vector_suite
-from .form_factors import (FormFactorMatrix, FormFactorRow, Hemicube, HemicubeFace, MatrixVerdict, analytic,
-                           check_matrix, form_factor_matrix, form_factor_row, hemicube, rays, read_matrix)
+from .form_factors import (FormFactorMatrix, FormFactorRow, Hemicube, HemicubeFace, MatrixDifference, MatrixVerdict,
+                           analytic, check_matrix, form_factor_matrix, form_factor_row, hemicube, rays, read_matrix)
 from .light import Sensitivity, Solution, UpdateCost, edit, insist, sensitivity, solve, threads
 from .pictures import render
 from .rasterizers import Draw, DrawList, Face, Rasterizer
@@ -29,9 +29,9 @@ from .scenes import (Add, Edit, Elements, Move, Remove, Restore, Scene, SetEmiss
 
 __all__ = [
     "Add", "Camera", "Draw", "DrawList", "Edit", "Elements", "Explanation", "Face", "FormFactorMatrix", "FormFactorRow",
-    "Hemicube", "HemicubeFace", "InputError", "MatrixVerdict", "Move", "Rasterizer", "Remove", "Restore", "Scene",
-    "Sensitivity", "SetEmission", "SetReflectance", "Solution", "TestVector", "UpdateCost", "Verdict", "analytic",
-    "camera", "check_matrix", "discretize", "edit", "explain", "form_factor_matrix", "form_factor_row", "hemicube",
-    "insist", "judge", "load_scene", "rays", "read_matrix", "read_vector", "render", "sensitivity", "solve", "threads",
-    "vector_suite"
+    "Hemicube", "HemicubeFace", "InputError", "MatrixDifference", "MatrixVerdict", "Move", "Rasterizer", "Remove",
+    "Restore", "Scene", "Sensitivity", "SetEmission", "SetReflectance", "Solution", "TestVector", "UpdateCost",
+    "Verdict", "analytic", "camera", "check_matrix", "discretize", "edit", "explain", "form_factor_matrix",
+    "form_factor_row", "hemicube", "insist", "judge", "load_scene", "rays", "read_matrix", "read_vector", "render",
+    "sensitivity", "solve", "threads", "vector_suite"
 ]

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import json
 import os
-from collections.abc import Callable
+import tempfile
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Any, Literal, Union, overload
 
 import numpy as np
@@ -14,7 +17,7 @@ import scipy.sparse
 from . import _core
 from ._core import InputError
 from .rasterizers import Face, Rasterizer, _face, _factory
-from .scenes import Elements, Floats, Integers, Scene, _core_of, _elements, _numbers
+from .scenes import Elements, Floats, Integers, Scene, Vector, _core_of, _elements, _numbers, load_scene
 
 Source = Union[str, int, tuple[str, int, int]]
 """The name of a surface or family, the number of a surface or facet, or (surface, column, row) of a texel."""
@@ -57,6 +60,7 @@ class FormFactorMatrix:
     area: Floats  #: (n,)
     error: Floats | None  #: (n,) estimate of the sum of absolute errors of each row, where the method has one
     names: list[str]  #: of rows and columns
+    entry_errors: scipy.sparse.csr_array | None = None  #: (n, n + 2) of the entries of `complete`, where they are known
 
     def __repr__(self) -> str:
         return f"<hemitex.FormFactorMatrix of {len(self.names)} rows with {self.matrix.nnz} entries>"
@@ -67,11 +71,77 @@ class FormFactorMatrix:
         extra = scipy.sparse.csr_array(np.column_stack([self.surroundings, self.backs]))
         return scipy.sparse.csr_array(scipy.sparse.hstack([self.matrix, extra], format="csr"))
 
+    def save(self, file: str | os.PathLike[str]) -> None:
+        """Writes the bytes of `hemitex formfactors --all -o FILE`; the file ends in .npz, .mtx or .csv.
+
+        The estimates of whole rows, `error`, are in no file.
+        """
+        rows = _rows(self.complete)
+        errors = None if self.entry_errors is None else _rows(self.entry_errors).data
+        _written(file, lambda place: _core.write_matrix(place, rows.data, rows.indices, rows.indptr, errors, self.area,
+                                                        self.names))
+
+    @staticmethod
+    def load(file: str | os.PathLike[str], area: npt.ArrayLike | None = None) -> FormFactorMatrix:
+        """Reads a matrix of a file (.npz, .mtx, .csv, .vf, .txt).
+
+        area: (n,) of the facets, if the file has none. A matrix without the columns of surroundings and backs has 0
+        there. Names of surfaces are in .npz files alone; others have their numbers.
+        """
+        found = _core.read_matrix(os.fspath(file))
+        count, columns = found["shape"]
+        areas = found["area"] if area is None else _numbers(area, "area")
+        if areas is None:
+            raise InputError(f"{os.fspath(file)} has no areas; give `area`, one number for each of {count} facets")
+        if areas.shape != (count, ):
+            raise InputError(f"`area` has the shape {areas.shape}; the matrix has {count} rows")
+        names = [str(number) for number in range(count)]
+        if Path(file).suffix == ".npz":
+            with np.load(file) as archive:
+                about = json.loads(archive["about"].item()) if "about" in archive else {}
+            names = about.get("names", names)
+        return _matrix_of({**found, "area": areas, "error": None, "names": names})
+
+    def compare(self, other: FormFactorMatrix | Any) -> MatrixDifference:
+        """How far another matrix of the same mesh is apart, as `hemitex matrix compare` says it."""
+        first, second = _parts(self, len(self.names)), _parts(other, len(self.names))
+        return MatrixDifference(**_core.compare_matrices(first, second, self.area))
+
+    def write_vtu(self, file: str | os.PathLike[str], mesh: Scene, rows: Sequence[int] = ()) -> None:
+        """Writes the facets of a mesh for ParaView, with `row_sum`, `surroundings`, `backs` and, if known, `error`.
+
+        mesh: of which this is the matrix. rows: facets whose form factors are written, too, as by
+        `hemitex formfactors --vtu`.
+        """
+        values = {"row_sum": self.matrix @ np.ones(len(self.names)), "surroundings": self.surroundings,
+                  "backs": self.backs}
+        if self.error is not None and self.error.max(initial=0) > 0:
+            values["error"] = self.error
+        for row in rows:
+            if not 0 <= row < len(self.names):
+                raise InputError(f"`rows` has {row}; the mesh has {len(self.names)} facets, counted from 0")
+            values[f"form_factor_from_{row}"] = self.matrix[[row]].toarray().ravel()
+            if self.entry_errors is not None:
+                values[f"standard_error_from_{row}"] = self.entry_errors[[row]].toarray().ravel()[:-2]
+        _written(file, lambda place: _core.write_facets(place, _core_of(mesh, Scene), values))
+
     def to_xarray(self) -> Any:
         """A dense xarray.DataArray (from, to)."""
         import xarray
         return xarray.DataArray(self.matrix.toarray(), dims=("from", "to"),
                                 coords={"from": self.names, "to": self.names}, name="form factor")
+
+
+@dataclass(frozen=True)
+class MatrixDifference:
+    """How far the rows of two matrices of one mesh are apart."""
+    share: float  #: of the exchange between facets: sum of A_i |F_ij - G_ij| over that of A_i F_ij
+    difference: Floats  #: (n,) sum of the absolute differences of each row
+    difference_received: Floats  #: (n,) by how much the light differs that each facet receives from radiosity 1
+    row_sum: Floats  #: (n,) of the first matrix, over facets
+
+    def __repr__(self) -> str:
+        return f"<hemitex.MatrixDifference of {len(self.difference)} rows: {self.share:.3g} of the exchange>"
 
 
 @dataclass(frozen=True)
@@ -159,19 +229,20 @@ def form_factor_row(what: Scene | Elements,
                     *,
                     by_surface: bool = False,
                     method: Method = "hemicube",
-                    resolution: int = 256,
-                    orientation: Literal["turned", "aligned"] = "turned",
-                    split: float = 0.003,
-                    elements_by: Literal["texture", "mesh"] = "texture",
+                    resolution: int | None = None,
+                    orientation: Literal["turned", "aligned"] | None = None,
+                    split: float | None = None,
+                    elements_by: Literal["texture", "mesh"] | None = None,
                     samples: int | None = None,
-                    seed: int = 0,
-                    aimed: bool = False,
+                    seed: int | None = None,
+                    aimed: bool | None = None,
                     rasterizer: Rasterizer | None = None) -> FormFactorRow:
     """The row of a surface or of a texel, to all elements, or to all surfaces.
 
     The row of a surface is the mean over its patches, by area; that of a texel is drawn from its centre.
-    resolution: pixels along the side of a hemicube, even, 2 to 4096. split: a patch is split while more than this share
-    of its light would go elsewhere from other points of it; 1: never. samples, seed, aimed: of rays.
+    resolution: pixels along the side of a hemicube, even, 2 to 4096 (default 256). orientation: of hemicubes (default
+    turned). split: a patch is split while more than this share of its light would go elsewhere from other points of it;
+    1: never (default 0.003). samples, seed, aimed: of rays (default 65536, 0, False).
     """
     elements = _elements(what)
     row = _core.form_factor_row(
@@ -181,30 +252,42 @@ def form_factor_row(what: Scene | Elements,
     return FormFactorRow(elements=elements, **row)
 
 
-def form_factor_matrix(what: Scene | Elements,
+def form_factor_matrix(what: Scene | Elements | str | os.PathLike[str],
                        *,
+                       facets: bool | None = None,
+                       mirrors: Sequence[tuple[Literal["x", "y", "z"], float]] | None = None,
+                       period: Vector | None = None,
+                       repeats: int | None = None,
                        method: Literal["hemicube", "single-plane", "tetrahedron", "rays"] = "hemicube",
-                       resolution: int = 256,
-                       orientation: Literal["turned", "aligned"] = "turned",
-                       split: float = 0.003,
+                       resolution: int | None = None,
+                       orientation: Literal["turned", "aligned"] | None = None,
+                       split: float | None = None,
                        max_error: float | None = None,
+                       smooth: bool = False,
                        samples: int | None = None,
-                       seed: int = 0,
+                       seed: int | None = None,
                        rasterizer: Rasterizer | None = None,
                        progress: Told | None = None) -> FormFactorMatrix:
-    """The matrix between all surfaces, families added up, or between all facets.
+    """The matrix between all surfaces, families added up, or between all facets, as `hemitex formfactors` writes it.
 
-    max_error: bounds the sum of the absolute errors of each row, for scenes of facets. For the others see
+    what: elements, a scene, or its file. facets, mirrors, period, repeats: settings of the scene that are to be others
+    (see `load_scene` and `Scene.from_arrays`).
+    max_error: bounds the sum of the absolute errors of each row, for scenes of facets; chooses the other settings.
+    smooth: corrects the matrix to exact reciprocity by least squares, with the same row sums. For the others see
     `form_factor_row`.
     """
+    changes = {"facets": facets, "mirrors": mirrors, "period": period, "repeats": repeats}
+    if isinstance(what, (str, os.PathLike)):
+        what = load_scene(what, **_settings(**changes))
+    elif isinstance(what, Scene):
+        what = what._with(**changes)
+    elif _settings(**changes):
+        raise InputError(f"the elements are divided already; give `{next(iter(_settings(**changes)))}` with a scene")
     elements = _elements(what)
-    found = _core.form_factor_matrix(
+    return _matrix_of(_core.form_factor_matrix(
         _core_of(elements, Elements),
         _settings(method=method, resolution=resolution, orientation=orientation, split=split, max_error=max_error,
-                  samples=samples, seed=seed), _factory(rasterizer), progress)
-    matrix = _csr(found)
-    return FormFactorMatrix(matrix=matrix, **{name: found[name] for name in ("surroundings", "backs", "area", "error",
-                                                                            "names")})
+                  smooth=smooth, samples=samples, seed=seed), _factory(rasterizer), progress))
 
 
 def rays(what: Scene | Elements,
@@ -273,20 +356,9 @@ def check_matrix(matrix: FormFactorMatrix | Any,
     NumPy. mesh: loaded with facets=True, or of arrays without names. tolerance: relative error of an entry that is no
     fault. rows: so many are measured by rays, with `samples` rays each.
     """
-    if isinstance(matrix, FormFactorMatrix):
-        matrix = matrix.complete
-    try:
-        rows_of = scipy.sparse.csr_array(matrix)
-    except (ValueError, TypeError, NotImplementedError) as error:
-        raise InputError(f"the matrix is none of SciPy or NumPy: {error}") from None
-    if len(rows_of.shape) != 2:
-        raise InputError(f"the matrix has the shape {rows_of.shape}")
-    if rows_of is matrix:
-        rows_of = rows_of.copy()
-    rows_of.sum_duplicates()
     facets = _elements(mesh)
-    found = _core.check_matrix(_core_of(facets, Elements), rows_of.data, rows_of.indices, rows_of.indptr,
-                               rows_of.shape[1], _settings(tolerance=tolerance, rows=rows, samples=samples))
+    parts = _parts(matrix, len(_core.families(_core_of(facets, Elements))))
+    found = _core.check_matrix(facets._core, *parts, _settings(tolerance=tolerance, rows=rows, samples=samples))
     return MatrixVerdict(**found)
 
 
@@ -298,3 +370,45 @@ def read_matrix(file: str | os.PathLike[str]) -> tuple[scipy.sparse.csr_array, F
 
 def _csr(found: dict[str, Any]) -> scipy.sparse.csr_array:
     return scipy.sparse.csr_array((found["data"], found["indices"], found["indptr"]), shape=found["shape"])
+
+
+def _matrix_of(found: dict[str, Any]) -> FormFactorMatrix:
+    """The matrix of rows of C++, which have the columns of surroundings and backs or none."""
+    rows, count = _csr(found), len(found["names"])
+    outside = np.zeros((count, 2)) if rows.shape[1] == count else rows[:, count:].toarray()
+    errors = None if found["errors"] is None else _csr({**found, "data": found["errors"]})
+    return FormFactorMatrix(scipy.sparse.csr_array(rows[:, :count]), outside[:, 0].copy(), outside[:, 1].copy(),
+                            found["area"], found["error"], found["names"], errors)
+
+
+def _rows(matrix: FormFactorMatrix | Any) -> scipy.sparse.csr_array:
+    """A copy in compressed rows of any matrix of SciPy or NumPy; each entry is there once, in ascending columns."""
+    try:
+        rows = scipy.sparse.csr_array(matrix.complete if isinstance(matrix, FormFactorMatrix) else matrix, copy=True)
+    except (ValueError, TypeError, NotImplementedError) as error:
+        raise InputError(f"the matrix is none of SciPy or NumPy: {error}") from None
+    if len(rows.shape) != 2:
+        raise InputError(f"the matrix has the shape {rows.shape}")
+    rows.sum_duplicates()
+    return rows
+
+
+def _parts(matrix: FormFactorMatrix | Any, facets: int) -> tuple[Any, ...]:
+    """The arrays and the number of columns of a matrix with a row for each facet."""
+    rows = _rows(matrix)
+    if rows.shape[0] != facets or rows.shape[1] not in (facets, facets + 2):
+        raise InputError(f"the matrix has the shape {rows.shape}; for {facets} facets give ({facets}, {facets}), or "
+                         f"({facets}, {facets + 2}) with the columns surroundings and backs")
+    return rows.data, rows.indices, rows.indptr, rows.shape[1]
+
+
+def _written(file: str | os.PathLike[str], write: Callable[[str], Any]) -> None:
+    """Lets `write` make a file beside its place, and moves it there when it is complete."""
+    place = Path(file)
+    try:
+        with tempfile.TemporaryDirectory(prefix=f".{place.name}-", dir=place.parent) as folder:
+            made = Path(folder) / place.name
+            write(os.fspath(made))
+            os.replace(made, place)
+    except OSError as error:
+        raise InputError(f"{place} cannot be written: {error.strerror}") from None

@@ -157,23 +157,45 @@ class Sensitivity:
         return values[self.elements.of(name)].sum(axis=0)
 
 
-def sensitivity(solution: Solution, target: str | npt.ArrayLike, *, progress: Told | None = None) -> Sensitivity:
+@overload
+def sensitivity(solution: Solution, target: str | npt.NDArray[Any], *, progress: Told | None = None) -> Sensitivity:
+    ...
+
+
+@overload
+def sensitivity(solution: Solution,
+                target: list[Any] | tuple[Any, ...],
+                *,
+                progress: Told | None = None) -> list[Sensitivity]:
+    ...
+
+
+def sensitivity(solution: Solution, target: Any, *, progress: Told | None = None) -> Any:
     """The derivatives of a target by all emissions and reflectances at once, by one transposed solution.
 
     target: weights of elements, (elements,) or (elements, 3), or the name of a surface, whose mean radiosity is meant.
-    Rows are those of the patches of the solution.
+    A list of targets, or an array (targets, elements, 3), gives a list. Rows of form factors, which take most of the
+    time, are computed once for all targets. Rows are those of the patches of the solution.
     """
     core = _core_of(solution, Solution)
     elements = solution.elements
-    if isinstance(target, str):
-        numbers = elements.of(target)
-        shares = np.zeros(len(elements))
-        shares[numbers] = elements.area[numbers] / elements.area[numbers].sum()
-        weights: npt.ArrayLike = shares
-    else:
-        weights = target
-    found = _core.sensitivity(core, _three_bands(weights, "target"), progress)
-    return Sensitivity(elements=elements, **{**found, "target": np.array(found["target"])})
+    are_many = np.ndim(target) == 3 if isinstance(target, np.ndarray) else isinstance(target, (list, tuple)) and any(
+        isinstance(each, str) or (np.ndim(each) > 0 and len(each) == len(elements)) for each in target)
+    weights = [_weights(each, elements) for each in (target if are_many else [target])]
+    found = [
+        Sensitivity(elements=elements, **{**each, "target": np.array(each["target"])})
+        for each in _core.sensitivities(core, weights, progress)
+    ]
+    return found if are_many else found[0]
+
+
+def _weights(target: Any, elements: Elements) -> npt.NDArray[Any]:
+    if not isinstance(target, str):
+        return _three_bands(target, "target")
+    numbers = elements.of(target)
+    shares = np.zeros(len(elements))
+    shares[numbers] = elements.area[numbers] / elements.area[numbers].sum()
+    return _three_bands(shares, "target")
 
 
 @contextmanager

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, Literal, Union
@@ -27,9 +27,10 @@ class Scene:
     the file. A name is that of a surface or a family.
     """
 
-    def __init__(self, core: _core.Scene) -> None:
+    def __init__(self, core: _core.Scene, again: Callable[..., Scene] | None = None) -> None:
         """For use by this package: see `load_scene` and `Scene.from_arrays`."""
         self._core = core
+        self._again = again
         self._about: dict[str, Any] = _core.about_scene(core)
 
     @staticmethod
@@ -93,7 +94,26 @@ class Scene:
         core = _core.scene_from_arrays(vertices, corners, counts, group_of, material_of.reshape(-1), groups,
                                        np.ascontiguousarray(materials[:, :3]), np.ascontiguousarray(materials[:, 3:]),
                                        settings)
-        return Scene(_core.with_light(core, sky, list(suns), list(lamps), True))
+        points, corners, rho, light = np.array(vertices), corners.copy(), rho.copy(), light.copy()
+
+        def again(facets: bool | None = None, **other: Any) -> Scene:
+            if facets is False and names is None:
+                raise InputError("the faces have no names, so that each is a facet", "omit `facets`, or give `names`")
+            kept: dict[str, Any] = dict(sides=sides, charts=charts, max_reflectance=max_reflectance, sky=sky, suns=suns,
+                                        lamps=lamps, mirrors=mirrors, period=period, repeats=repeats)
+            polygons = np.split(corners, np.cumsum(counts)[:-1])
+            return Scene.from_arrays(points, polygons, rho, light, None if facets else names, **{**kept, **other})
+
+        return Scene(_core.with_light(core, sky, list(suns), list(lamps), True), again)
+
+    def _with(self, **settings: Any) -> Scene:
+        """The scene with other settings; those that are None stay."""
+        given = {name: value for name, value in settings.items() if value is not None}
+        if not given:
+            return self
+        if self._again is None:
+            raise InputError(f"the scene was changed after it was made; give `{next(iter(given))}` where it was made")
+        return self._again(**given)
 
     @property
     def names(self) -> list[str]:
@@ -212,7 +232,9 @@ def load_scene(file: str | os.PathLike[str],
         "period": period,
         "repeats": repeats,
     }
-    return Scene(_core.with_light(_core.load_scene(os.fspath(file), settings), sky, list(suns), list(lamps), True))
+    core = _core.with_light(_core.load_scene(os.fspath(file), settings), sky, list(suns), list(lamps), True)
+    kept: dict[str, Any] = {**settings, "sky": sky, "suns": suns, "lamps": lamps}
+    return Scene(core, lambda **other: load_scene(file, **{**kept, **other}))
 
 
 class Elements:

@@ -23,9 +23,9 @@ namespace {
 
 using raster::InputError;
 
-/// The reflectance where an image is missing, and where a file states no colour: white paint, because the 1 that glTF
-/// means would keep all light in a closed room.
-constexpr double grey = 0.5, unstatedReflectance = 0.8;
+/// The reflectance where a file states no colour: white paint, because the 1 that glTF means would keep all light in a
+/// closed room.
+constexpr double unstatedReflectance = 0.8;
 
 GltfImport import(const std::filesystem::path& file) {
   const std::string bytes = raster::readFile(file, "check the path, and that it is a file you may read");

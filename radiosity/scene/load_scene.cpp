@@ -478,18 +478,34 @@ Scene loadScene(const std::filesystem::path& file, const SceneSettings& settings
     return scene;
   }
   PolygonMesh mesh = readMesh(file, cellDataOf(settings));
-  const auto materials = [&, files = materialFiles(mesh, file.parent_path()),
-                          hasColours = !mesh.colours.empty()](const std::vector<std::string>& names) {
-    return findMaterials(names, files, settings, hasColours);
+  std::optional<double> unnamed;
+  if (isPlainMesh(file)) unnamed = grey;
+  if (!mesh.colours.empty()) unnamed = settings.maxReflectance;
+  const auto materials = [&, files = materialFiles(mesh, file.parent_path())](const std::vector<std::string>& names) {
+    return findMaterials(names, files, settings, unnamed);
   };
   Scene scene = makeScene(std::move(mesh), materials, file, settings);
   scene.files.insert(scene.files.begin(), file);
   return scene;
 }
 
-PolygonMesh readFaces(const std::filesystem::path& file) {
+PolygonMesh readFaces(const std::filesystem::path& file, Sides sides) {
   refuseForeignFormat(file);
-  return isGltf(file) ? readGltf(file).mesh : readMesh(file, {});
+  PolygonMesh faces = isGltf(file) ? readGltf(file).mesh : readMesh(file, {});
+  return sides == Sides::Two ? withBacks(std::move(faces)) : faces;
+}
+
+PolygonMesh withBacks(PolygonMesh faces) {
+  const std::size_t fronts = faces.polygons.size();
+  for (std::size_t p = 0; p < fronts; ++p) {
+    MeshPolygon back = faces.polygons[p];
+    const auto first = faces.corners.begin() + back.firstCorner;
+    const std::vector<MeshCorner> corners(first, first + back.cornerCount);
+    back.firstCorner = static_cast<std::uint32_t>(faces.corners.size());
+    faces.corners.insert(faces.corners.end(), corners.rbegin(), corners.rend());
+    faces.polygons.push_back(back);
+  }
+  return faces;
 }
 
 bool isPlainMesh(const std::filesystem::path& file) { return meshFormatOf(file) != nullptr; }

@@ -33,9 +33,12 @@ using MaterialSource = std::function<MaterialSet(const std::vector<std::string>&
 Scene makeScene(PolygonMesh mesh, const MaterialSource& materials, const std::filesystem::path& file,
                 const SceneSettings& settings = {});
 
-/// The faces of a file as they are there, which facets are numbered by, without materials. Throws InputError as
-/// loadScene.
-PolygonMesh readFaces(const std::filesystem::path& file);
+/// The faces of a file as they are there, which facets are numbered by, without materials; with Sides::Two also their
+/// backs. Throws InputError as loadScene.
+PolygonMesh readFaces(const std::filesystem::path& file, Sides sides = Sides::One);
+
+/// Faces, and behind them their backs in the same order.
+PolygonMesh withBacks(PolygonMesh faces);
 
 /// Whether a file has a format of plain meshes, without materials, in which each face counts: all but OBJ and glTF.
 bool isPlainMesh(const std::filesystem::path& file);

@@ -17,9 +17,6 @@
 namespace hemitex::radiosity {
 namespace {
 
-/// The reflectance of unknown materials.
-constexpr double grey = 0.5;
-
 /// A statement and its file. The paths in it are relative to the folder of the file.
 struct Definition {
   MaterialStatement statement;
@@ -262,7 +259,7 @@ int withSampler(MaterialSet& set, int image, const Sampler& sampler, std::vector
 }
 
 MaterialSet findMaterials(const std::vector<std::string>& names, const std::vector<std::filesystem::path>& files,
-                          const SceneSettings& settings, bool hasColours) {
+                          const SceneSettings& settings, std::optional<double> unnamed) {
   MaterialSet set;
   const std::map<std::string, Definition> definitions = readDefinitions(files, settings.emission, set);
   MapImages images(set);
@@ -271,11 +268,9 @@ MaterialSet findMaterials(const std::vector<std::string>& names, const std::vect
     const auto found = definitions.find(name);
     if (found != definitions.end()) {
       set.materials.push_back(makeMaterial(found->second, settings, images, set));
-    } else if (name.empty() && hasColours) {
-      set.materials.push_back({.name = "default", .reflectance = glm::dvec3(settings.maxReflectance)});
     } else if (name.empty()) {
-      set.materials.push_back({.name = "default"});
-      set.warnings.push_back("faces without a material become grey 0.5");
+      set.materials.push_back({.name = "default", .reflectance = glm::dvec3(unnamed.value_or(grey))});
+      if (!unnamed) set.warnings.push_back("faces without a material become grey 0.5");
     } else {
       set.materials.push_back({.name = name});
       unknown.push_back(name);

@@ -15,6 +15,9 @@
 
 namespace hemitex::radiosity {
 
+/// The reflectance, or the share of the emission, where a file states none or cannot be read.
+inline constexpr double grey = 0.5;
+
 struct MaterialSet {
   std::vector<Material> materials;  ///< one per requested name
   std::vector<Image> images;
@@ -48,8 +51,8 @@ std::optional<std::string> lowerReflectance(glm::dvec3& reflectance, double maxR
 /// - A missing or unreadable map: a warning, and reflectance 0.5 or half the emission.
 /// - Kd 0 0 0 with a map_Kd, and Ke 0 0 0 with a map_Ke: a warning, and the map alone, as Maya and 3ds Max mean it.
 /// - A map_d is a cut-out: pixels whose alpha is below 0.5 are holes. An image without alpha counts with its mean code.
-/// - Faces without a material have the reflectance 0.5, and 1 where the file `hasColours` of vertices.
+/// - Faces without a material have the reflectance `unnamed`; if none is given it is 0.5, with a warning.
 MaterialSet findMaterials(const std::vector<std::string>& names, const std::vector<std::filesystem::path>& files,
-                          const SceneSettings& settings, bool hasColours = false);
+                          const SceneSettings& settings, std::optional<double> unnamed = {});
 
 }  // namespace hemitex::radiosity

@@ -37,6 +37,27 @@ double roundingOf(double coordinate) {
   return std::fmod(coordinate / halfBit, 4) == 0 ? 0 : halfBit;
 }
 
+/// By how much the largest coordinate is rounded, if all are binary32 numbers. A few may lack the last bit by chance,
+/// so that all within a factor of 1024 tell: all are multiples of twice this bit if they are exact, such as whole
+/// metres.
+double largestCoordinateRounding(const Scene& scene) {
+  double largest = 0;
+  for (const Surface& surface : scene.surfaces)
+    for (const Triangle& triangle : surface.triangles)
+      for (const glm::dvec3& p : triangle.position) {
+        if (glm::dvec3(glm::vec3(p)) != p) return 0;
+        largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+      }
+  if (largest == 0) return 0;
+  const double bit = std::ldexp(1.0, std::ilogb(largest) - 23);
+  const auto isFiner = [&](double c) { return std::abs(c) >= largest / 1024 && std::fmod(c, 2 * bit) != 0; };
+  for (const Surface& surface : scene.surfaces)
+    for (const Triangle& triangle : surface.triangles)
+      for (const glm::dvec3& p : triangle.position)
+        if (isFiner(p.x) || isFiner(p.y) || isFiner(p.z)) return bit / 2;
+  return 0;
+}
+
 double extentOf(const Bounds& bounds) { return glm::length(bounds.high - bounds.low); }
 
 /// The bounds of the triangles that are accepted.
@@ -275,7 +296,7 @@ std::vector<std::string> resolutionWarnings(const Scene& scene) {
 }
 
 std::vector<std::string> roundingWarnings(const Scene& scene) {
-  const double rounding = coordinateRounding(scene), size = meanSize(scene);
+  const double rounding = largestCoordinateRounding(scene), size = meanSize(scene);
   if (!(rounding > 0.01 * size)) return {};
   return {"its coordinates are rounded to binary32 by up to " + raster::shortNumber(rounding) +
           " units, and its faces are about " + raster::shortNumber(size) +

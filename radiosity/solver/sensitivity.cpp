@@ -105,8 +105,9 @@ class Equations {
     return values;
   }
 
-  Sensitivity sensitivity(std::span<const glm::dvec3> weights) const {
-    const Colours flux = received(), value = importance(weights);
+  /// `flux` is what elements receive.
+  Sensitivity sensitivity(const Colours& flux, std::span<const glm::dvec3> weights) const {
+    const Colours value = importance(weights);
     Sensitivity result;
     for (std::size_t e = 0; e < area_.size(); ++e) {
       result.target += value[e] * (emitted_[e] + reflectance_[e] * outside_[e]);
@@ -132,10 +133,17 @@ class Equations {
 
 }  // namespace
 
-Sensitivity sensitivity(const SolveInput& input, std::span<const glm::dvec3> weights, const RowProgress& progress) {
+std::vector<Sensitivity> sensitivities(const SolveInput& input, std::span<const std::vector<glm::dvec3>> targets,
+                                       const RowProgress& progress) {
   assert(input.scene.wavelengths.empty());
-  assert(weights.size() == input.discretization.elements.size());
-  return Equations(input, progress).sensitivity(weights);
+  const Equations equations(input, progress);
+  const Colours flux = equations.received();
+  std::vector<Sensitivity> results;
+  for (const std::vector<glm::dvec3>& weights : targets) {
+    assert(weights.size() == input.discretization.elements.size());
+    results.push_back(equations.sensitivity(flux, weights));
+  }
+  return results;
 }
 
 }  // namespace hemitex::radiosity

@@ -1,4 +1,4 @@
-/// Derivatives of a weighted sum of radiosity by all emissions and reflectances at once.
+/// Derivatives of weighted sums of radiosity by all emissions and reflectances at once.
 ///
 /// Let the flux that leaves element j be
 ///
@@ -40,9 +40,11 @@ struct Sensitivity {
 /// far and in all. An exception that it throws ends the computation.
 using RowProgress = std::function<void(std::size_t done, std::size_t all)>;
 
-/// The derivatives of J for one weight per element and band, of any sign, in a scene without wavelengths. Of the input
-/// it uses the scene, the discretization, the patches, their rows and the light from outside; patches are not split.
-/// All rows are in memory at a time, 12 bytes per entry. The result does not depend on threads.
-Sensitivity sensitivity(const SolveInput& input, std::span<const glm::dvec3> weights, const RowProgress& progress = {});
+/// The derivatives of some targets, each with one weight per element and band, of any sign, in a scene without
+/// wavelengths. Rows and radiosity are computed once for all targets. Of the input it uses the scene, the
+/// discretization, the patches, their rows and the light from outside; patches are not split. All rows are in memory at
+/// a time, 12 bytes per entry. The result does not depend on threads.
+std::vector<Sensitivity> sensitivities(const SolveInput& input, std::span<const std::vector<glm::dvec3>> targets,
+                                       const RowProgress& progress = {});
 
 }  // namespace hemitex::radiosity

@@ -116,4 +116,11 @@ void checkAndSort(SparseMatrix& matrix, const std::string& file) {
   }
 }
 
+MatrixHeading headingOf(std::vector<double> area, const std::vector<std::string>& names) {
+  MatrixHeading heading{std::move(area)};
+  for (std::size_t f = 0; f < names.size() && heading.names.empty(); ++f)
+    if (names[f] != std::to_string(f)) heading.names = names;
+  return heading;
+}
+
 }  // namespace hemitex::reference

@@ -64,6 +64,9 @@ struct MatrixHeading {
   std::uint64_t columns() const { return std::uint64_t{area.size()} + 2; }
 };
 
+/// The heading of facets with these names, which are left out if they are the numbers of the facets.
+MatrixHeading headingOf(std::vector<double> area, const std::vector<std::string>& names);
+
 /// Writes a matrix row by row, and keeps no entries in memory. What it writes is complete after `finish` alone, so the
 /// file should have a temporary name until then. Both functions throw InputError if the file cannot be written.
 class RowSink {

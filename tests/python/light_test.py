@@ -81,6 +81,20 @@ def test_sensitivity_equals_finite_differences(box: hx.Scene) -> None:
             assert np.allclose(found.of(name, by), slope, rtol=2e-6), (name, by)
 
 
+def test_sensitivities_of_many_targets_are_those_of_each(box: hx.Scene) -> None:
+    solution = hx.solve(box, texels=3, resolution=32)
+    weights = np.linspace(0, 1, len(solution.elements))
+    together = hx.sensitivity(solution, ["floor", weights, "left"])
+    for target, found in zip(["floor", weights, "left"], together):
+        alone = hx.sensitivity(solution, target)
+        assert np.array_equal(found.target, alone.target)
+        assert np.array_equal(found.by_reflectance, alone.by_reflectance)
+    stacked = hx.sensitivity(solution, np.stack([np.repeat(weights[:, np.newaxis], 3, axis=1)] * 2))
+    assert np.array_equal(stacked[1].by_emission, together[1].by_emission)
+    with pytest.raises(hx.InputError, match="target"):
+        hx.sensitivity(solution, ["floor", weights[1:]])
+
+
 def test_sensitivity_finds_lamp_powers(box: hx.Scene) -> None:
     solution = hx.solve(box, residual=1e-6)
     found = hx.sensitivity(solution, "floor")

@@ -52,6 +52,9 @@ struct Files {
 
 const std::vector<glm::vec3> cubeCorners{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0},
                                          {0, 0, 1}, {1, 0, 1}, {0, 1, 1}, {1, 1, 1}};
+/// A place whose coordinates 24 bits round by .25.
+const glm::vec3 farAway(500000.1F, 5000000.5F, 0);
+const Expected rounded{{}, {"rounded to binary32 by up to 0.25"}};
 /// Seen from inside.
 const std::vector<std::vector<int>> cubeFaces{{0, 1, 3, 2}, {4, 6, 7, 5}, {0, 4, 5, 1},
                                               {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 5, 7, 3}};
@@ -236,26 +239,29 @@ std::string stlFacets(const std::string& normal = "0 0 0", const std::string& en
 }
 Files stl(const std::string& bytes, const Expected& expected) { return {{{"a.stl", bytes}}, expected}; }
 
-std::string binaryStl(float normal = 0, std::uint16_t attribute = 0, const std::string& start = "solid ") {
+std::string binaryStl(float normal = 0, std::uint16_t attribute = 0, const std::string& start = "solid ",
+                      const glm::vec3& shift = {}) {
   std::string bytes = start + std::string(80 - start.size(), ' ') + bytesOf(std::vector<std::uint32_t>{12});
   for (const std::vector<int>& face : cubeFaces)
     for (const std::size_t second : {1U, 2U}) {
       bytes += bytesOf(std::vector<float>(3, normal));
       for (const std::size_t k : {std::size_t{0}, std::size_t{second}, std::size_t{second + 1}})
-        bytes += bytesOf(std::vector<glm::vec3>{cubeCorners[static_cast<std::size_t>(face[k])]});
+        bytes += bytesOf(std::vector<glm::vec3>{cubeCorners[static_cast<std::size_t>(face[k])] + shift});
       bytes += bytesOf(std::vector<std::uint16_t>{attribute});
     }
   return bytes;
 }
 
-std::string plyVertices(const std::string& properties = "", const std::string& tail = "",
-                        const std::string& head = "") {
+std::string plyVertices(const std::string& properties = "", const std::string& tail = "", const std::string& head = "",
+                        const glm::vec3& shift = {}) {
   std::string text = "ply\nformat ascii 1.0\n" + head +
                      "element vertex 8\nproperty float x\nproperty float y\nproperty float z\n" + properties;
   std::string vertices;
-  for (const glm::vec3& corner : cubeCorners)
+  for (const glm::vec3& unmoved : cubeCorners) {
+    const glm::vec3 corner = unmoved + shift;
     vertices +=
         std::to_string(corner.x) + " " + std::to_string(corner.y) + " " + std::to_string(corner.z) + tail + "\n";
+  }
   return text + "FACES" + "end_header\n" + vertices;
 }
 Files ply(std::string vertices, const Expected& expected, const std::string& list = "vertex_indices",
@@ -431,6 +437,15 @@ Rows gltfRows() {
       cube.text["accessors"].back()["normalized"] = true;
     };
   };
+  const auto atDistance = [](Gltf& cube) {
+    std::vector<float> positions;
+    for (const std::vector<int>& face : cubeFaces)
+      for (const int corner : face) {
+        const glm::vec3 p = cubeCorners[static_cast<std::size_t>(corner)] + farAway;
+        positions.insert(positions.end(), {p.x, p.y, p.z});
+      }
+    cube.primitive()["attributes"]["POSITION"] = cube.add(positions, 5126, "VEC3");
+  };
   const auto sparse = [](Gltf& cube) {  // moves a corner into place that the view has elsewhere
     std::vector<float> positions;
     for (const std::vector<int>& face : cubeFaces)
@@ -589,6 +604,7 @@ Rows gltfRows() {
            },
            lit(2))}},
       {"sparse accessors", {gltf(sparse, lit(2))}},
+      {"coordinates far from the origin", {gltf(atDistance, rounded)}},
       {"`targets` with `weights`", {gltf(morphed(false), lit(2)), gltf(morphed(true), lit(2))}},
       {"`baseColorFactor`, `baseColorTexture`",
        {gltf(nothing, lit(2)), gltf([](Gltf& cube) { cube.colour().clear(); }, lit(5, {"states no colour"}))}},
@@ -726,6 +742,7 @@ Rows stlRows() {
       {"blank lines before `solid`", {stl("\n \r\n\t" + solid + end, dark)}},
       {"bytes behind the last triangle",
        {stl(binaryStl() + "\n", trailing), stl(binaryStl() + std::string(99, '\0'), trailing)}},
+      {"coordinates far from the origin", {stl(binaryStl(0, 0, "solid ", farAway), rounded)}},
       {"colours in attributes",
        {stl(binaryStl(0, 0x8001), lit(0, {"colours of facets"})),
         stl(binaryStl(0, 0, "COLOR=abcd"), lit(0, {"colours of facets"}))}},
@@ -745,6 +762,7 @@ Rows plyRows() {
   return {
       {"`ascii`, `binary_little_endian`, `binary_big_endian`", {ply(plyVertices(), lit(0))}},
       {"`vertex` with `x`, `y`, `z`", {ply(plyVertices(), lit(0))}},
+      {"coordinates far from the origin", {ply(plyVertices("", "", "", farAway), rounded)}},
       {"`red`, `green`, `blue` of vertices", {ply(plyVertices(colours, " 188 0 188"), lit(0))}},
       {"`face` with `vertex_indices` or `vertex_index`", {ply(plyVertices(), lit(0), "vertex_index")}},
       {"`tristrips`",

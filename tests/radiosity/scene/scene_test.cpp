@@ -271,6 +271,15 @@ TEST_CASE("loadScene replaces missing values by grey 0.5 with a warning", "[scen
     CHECK(warns(scene, {"without a material", "grey 0.5"}));
     CHECK(scene.materials[0].reflectance == glm::dvec3(0.5));
   }
+  SECTION("the materials of a format that has none, which is no fault") {
+    const TemporaryFolder folder;
+    hemitex::tests::writeAll(folder.path / "a.stl",
+                             "solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n"
+                             "endloop\nendfacet\nendsolid\n");
+    const Scene scene = loadScene(folder.path / "a.stl");
+    CHECK(scene.warnings.empty());
+    CHECK(scene.materials[0].reflectance == glm::dvec3(0.5));
+  }
   SECTION("its reflectance") {
     const Scene scene = loadMaterial("Ke 1 1 1\n");
     CHECK(warns(scene, {"'paint'", "no Kd", "grey 0.5"}));
@@ -378,9 +387,9 @@ TEST_CASE("loadScene warns of a closed room that keeps nearly all light, by its 
 TEST_CASE("loadScene warns where binary32 rounds coordinates by more than a hundredth of the size of faces",
           "[scene]") {
   const TemporaryFolder folder;
-  const auto warningsAt = [&](double east, double size) {
+  const auto warningsAt = [&](double east, double size, double z = 0) {
     std::string bytes = std::string(80, ' ') + std::string("\x01\0\0\0", 4);
-    const double corners[12] = {0, 0, 0, east, 5e6, 0, east + size, 5e6, 0, east, 5e6 + size, 0};
+    const double corners[12] = {0, 0, 0, east, 5e6, z, east + size, 5e6, z, east, 5e6 + size, z};
     for (const double corner : corners) {
       const auto number = static_cast<float>(corner);
       bytes.append(reinterpret_cast<const char*>(&number), sizeof number);
@@ -392,6 +401,10 @@ TEST_CASE("loadScene warns where binary32 rounds coordinates by more than a hund
   };
   CHECK_THAT(warningsAt(500000.1, 3.3), Catch::Contains("rounded to binary32"));
   CHECK_THAT(warningsAt(500000.1, 333), !Catch::Contains("rounded to binary32"));
+  // No last bit is set, but coordinates finer than those of 5e6 say that these are rounded.
+  CHECK_THAT(warningsAt(500000.125, 4), Catch::Contains("rounded to binary32"));
+  // Whole metres with heights of any number are exact.
+  CHECK_THAT(warningsAt(500000, 4, 17.3), !Catch::Contains("rounded to binary32"));
 }
 
 TEST_CASE("requireEmission throws InputError unless something emits", "[scene]") {

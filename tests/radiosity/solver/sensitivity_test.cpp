@@ -83,6 +83,11 @@ glm::dvec3 differenceBy(Box& box, std::vector<glm::dvec3>& values, std::size_t e
   return (above - below) / (2 * step);
 }
 
+/// The derivatives of one target.
+Sensitivity sensitivity(const SolveInput& input, const std::vector<glm::dvec3>& weights) {
+  return sensitivities(input, {&weights, 1}).front();
+}
+
 void checkNear(const glm::dvec3& found, const glm::dvec3& expected, double tolerance) {
   for (int band = 0; band < 3; ++band) {
     INFO("band " << band << ": " << found[band] << ", " << expected[band]);
@@ -148,4 +153,28 @@ TEST_CASE("sensitivity does not depend on the number of threads", "[solver]") {
   const Sensitivity alone = sensitivity(box.input(), weights);
   CHECK(all.byEmission == alone.byEmission);
   CHECK(all.byReflectance == alone.byReflectance);
+}
+
+TEST_CASE("sensitivities of several targets are those of each alone, from the rows of one", "[solver]") {
+  const Box box;
+  std::vector<std::vector<glm::dvec3>> targets(3, box.weights());
+  for (glm::dvec3& weight : targets[1]) weight *= -2.0;
+  targets[2].assign(targets[2].size(), glm::dvec3(1));
+  const SolveInput input = box.input();
+  std::size_t rows = 0;
+  SolveInput counted = input;
+  counted.rowOf = [&](const Patch& from) {
+    ++rows;
+    return input.rowOf(from);
+  };
+  const std::vector<Sensitivity> all = sensitivities(counted, targets);
+  CHECK(rows == input.patches.list.size());
+  REQUIRE(all.size() == targets.size());
+  for (std::size_t t = 0; t < targets.size(); ++t) {
+    const Sensitivity alone = sensitivity(input, targets[t]);
+    CHECK(all[t].target == alone.target);
+    CHECK(all[t].byEmission == alone.byEmission);
+    CHECK(all[t].byReflectance == alone.byReflectance);
+    CHECK(all[t].radiosity == alone.radiosity);
+  }
 }
