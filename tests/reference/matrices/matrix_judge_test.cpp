@@ -349,7 +349,7 @@ TEST_CASE("judgeMatrix takes errors that a matrix states into account, and says 
     rough.value[k] *= k % 2 == 0 ? 1.12 : 0.88;
   }
   const auto isWrong = [](const SparseMatrix& matrix, const std::string& text) {
-    const MatrixVerdict verdict = judgeMatrix(matrix, box().mesh, quick);
+    const MatrixVerdict verdict = judgeMatrix(matrix, box().mesh, {.samples = 1 << 15});
     return std::any_of(verdict.problems.begin(), verdict.problems.end(),
                        [&](const std::string& problem) { return problem.find(text) != std::string::npos; });
   };
