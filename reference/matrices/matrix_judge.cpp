@@ -426,16 +426,18 @@ class Judge {
   };
   RowSums sumsOf(std::size_t r) const {
     RowSums sums;
-    double squares = 0, all = 0;
+    double squares = 0, all = 0, amplified = 0;
     for (std::uint32_t to = 0; to < area_.size(); ++to) {
       if (isTied(r, to)) continue;
+      const double larger = smallest(r, to) - smallestFactor;
+      amplified += larger * larger;
       const double error = stated(r, to);
       sums.found += given(r, to);
       sums.truth += rows_[r].factor[to];
       squares += error * error;
       all += error;
     }
-    sums.stated = std::max(std::sqrt(squares), all / confidence);
+    sums.stated = std::max(std::sqrt(squares), all / confidence) + std::sqrt(amplified) / confidence;
     return sums;
   }
 
@@ -640,7 +642,7 @@ class Judge {
     considerScale(consider, truth);
     considerFacets(consider, matrix, truth);
     if (!verdict_.fault) considerOrders(consider, truth);
-    if (!verdict_.fault && isOutsideWrong_) verdict_.fault = outsideFault();
+    if (!verdict_.fault && isOutsideWrong_ && before < settings_.tolerance * all) verdict_.fault = outsideFault();
   }
 
   /// All entries by one factor, unless a factor with a meaning explains it.
@@ -680,8 +682,16 @@ class Judge {
       const RowSums sums = sumsOf(r);
       if (std::find(worst.begin(), worst.end(), rows_[r].surface) == worst.end() || sums.truth == 0) continue;
       const double factor = sums.found / sums.truth;
-      if (!(factor > 0)) continue;
       const bool isColumn = rows_[r].isColumn;
+      if (factor == 0 && !isColumn)
+        consider(
+            "the row of " + name(own) + " is empty", matrix,
+            [this, r](std::size_t row, std::uint32_t to) {
+              const std::uint32_t from = rows_[row].isColumn ? to : rows_[row].surface;
+              return from == rows_[r].surface ? 0.0 : rows_[row].factor[to];
+            },
+            1, true);
+      if (!(factor > 0)) continue;
       consider((isColumn ? "the column of " : "the row of ") + name(own) + " is multiplied by " + shortNumber(factor),
                changed([this, own, isColumn, factor](std::uint32_t i, std::uint32_t j) {
                  return entry(matrix_, i, j) / ((isColumn ? j : i) == own ? factor : 1);

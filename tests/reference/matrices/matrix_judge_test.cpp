@@ -60,7 +60,7 @@ struct Judged {
     for (std::uint32_t s = 0; s < other.surfaces.size(); ++s) {
       const MeasuredRow row =
           rays.overHemisphere(areaRaySource(rays.pieces(), std::vector{elements.grids[s].firstElement}),
-                              everyElement(elements), {.samples = 1 << 16, .seed = seed});
+                              everyElement(elements), {.samples = 1 << 17, .seed = seed});
       for (std::uint32_t e = 0; e < elements.elements.size(); ++e)
         rows[mesh.facetOf[s]][mesh.facetOf[elements.elements[e].surface]] = row.receivers[e].value;
     }
