@@ -1,10 +1,13 @@
 #include "reference/matrices/matrix_judge.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <numbers>
 #include <numeric>
+#include <span>
 #include <utility>
 
 #include "raster/base/parallel.h"
@@ -24,6 +27,14 @@ constexpr double confidence = 4.9;
 constexpr double smallestFactor = 5e-4;
 /// Of sums and of closed forms.
 constexpr double rounding = 1e-6;
+/// Sums of entries average the errors of single ones: this part of the tolerance is left to them.
+constexpr double toleranceOfSums = 0.25;
+/// Backs are met from buried parts of facets above all, which programs divide in other ways: they may differ more.
+constexpr double toleranceOfBacks = 4;
+/// Differences within this number of standard errors say nothing of a fault.
+constexpr double unclear = 3;
+/// Of all facets, rough rows tell which are measured beside the others.
+constexpr std::size_t suspects = 6;
 /// A fault is named if its prediction is nearer to the matrix than the truth by this factor.
 constexpr double nearerBy = 3;
 
@@ -39,44 +50,58 @@ glm::dvec3 middleOf(const radiosity::Surface& surface) {
   return sum / radiosity::area(surface);
 }
 
-/// A row by rays, one value per surface.
+/// A row by rays, one value per surface. By reciprocity it is also what the surface receives, in units of its own
+/// light.
 struct TrueRow {
   std::uint32_t surface = 0;
   std::vector<double> factor, error;
   double sum = 0;
+  std::array<Measurement, 2> outside{};  ///< surroundings, backs
+  double sumError = 0;                   ///< of the sum, at most
+  bool isColumn = false;                 ///< whether it is held against the column of the facet
 };
 
 TrueRow measuredRow(const FacetMesh& mesh, const RayFormFactors& rays, const Receivers& receivers,
                     std::uint32_t surface, int samples) {
   const std::vector<std::uint32_t> own = elementsOfSurface(mesh.discretization, surface);
   const MeasuredRow measured = rays.overHemisphere(areaRaySource(rays.pieces(), own), receivers, {.samples = samples});
-  TrueRow row{surface, std::vector<double>(mesh.scene.surfaces.size()), std::vector<double>(mesh.scene.surfaces.size()),
-              0};
+  TrueRow row{surface, std::vector<double>(mesh.scene.surfaces.size()),
+              std::vector<double>(mesh.scene.surfaces.size())};
   for (std::size_t e = 0; e < measured.receivers.size(); ++e) {
     const std::uint32_t to = mesh.discretization.elements[e].surface;
     row.factor[to] = measured.receivers[e].value;
     row.error[to] = measured.receivers[e].standardError;
     row.sum += measured.receivers[e].value;
   }
+  row.outside = {measured.background, measured.back};
+  const double least = 2.0 / samples;
+  for (Measurement& share : row.outside) share.standardError = std::max(share.standardError, least);
+  row.sumError = std::max(std::hypot(row.outside[0].standardError, row.outside[1].standardError), least);
   return row;
 }
 
-std::vector<TrueRow> measuredRows(const FacetMesh& mesh, const JudgeSettings& settings) {
+/// `count` surfaces, evenly spread over their numbers.
+std::vector<std::uint32_t> spreadSurfaces(std::size_t surfaces, std::size_t count) {
+  count = std::min(count, surfaces);
+  std::vector<std::uint32_t> chosen;
+  for (std::size_t n = 0; n < count; ++n)
+    chosen.push_back(static_cast<std::uint32_t>((2 * n + 1) * surfaces / (2 * count)));
+  return chosen;
+}
+
+std::vector<TrueRow> measuredRows(const FacetMesh& mesh, const std::vector<std::uint32_t>& surfaces, int samples) {
   const RayFormFactors rays(mesh.scene, mesh.discretization);
   const Receivers receivers = everyElement(mesh.discretization);
-  const std::size_t surfaces = mesh.scene.surfaces.size();
-  const std::size_t count = std::min<std::size_t>(static_cast<std::size_t>(settings.rows), surfaces);
   std::vector<TrueRow> rows;
-  for (std::size_t n = 0; n < count; ++n)
-    rows.push_back(measuredRow(mesh, rays, receivers, static_cast<std::uint32_t>((2 * n + 1) * surfaces / (2 * count)),
-                               settings.samples));
+  for (const std::uint32_t surface : surfaces) rows.push_back(measuredRow(mesh, rays, receivers, surface, samples));
   return rows;
 }
 
-/// The mesh with all facets turned over.
-radiosity::Scene turnedOver(const radiosity::Scene& scene) {
+/// The mesh with all facets turned over, or one of them.
+radiosity::Scene turnedOver(const radiosity::Scene& scene, std::optional<std::uint32_t> only = {}) {
   radiosity::Scene turned = scene;
-  for (radiosity::Surface& surface : turned.surfaces) radiosity::turnOver(surface);
+  for (std::uint32_t s = 0; s < turned.surfaces.size(); ++s)
+    if (!only || *only == s) radiosity::turnOver(turned.surfaces[s]);
   return turned;
 }
 
@@ -154,7 +179,7 @@ class Judge {
     if (!hasSize()) return verdict_;
     checkEntries();
     checkReciprocity();
-    rows_ = measuredRows(mesh_, settings_);
+    rows_ = measuredRows(mesh_, chosenSurfaces(), settings_.samples);
     const std::vector<ConvexPolygons> polygons = convexPolygons(mesh_.scene);
     for (const TrueRow& row : rows_) {
       unblocked_.emplace_back(mesh_.scene.surfaces.size());
@@ -165,7 +190,11 @@ class Judge {
       });
     }
     joinPlaces();
+    measured_ = rows_.size();
+    addColumns();
     checkRows();
+    checkSums();
+    checkOutside();
     checkErrors();
     if (!verdict_.problems.empty()) nameFault();
     return verdict_;
@@ -221,6 +250,47 @@ class Judge {
   std::string name(std::uint32_t facet) const { return "facet " + std::to_string(facet); }
   void add(const std::string& problem) { verdict_.problems.push_back(problem); }
 
+  bool hasOutside() const { return matrix_.columns > mesh_.facets; }
+
+  /// Surfaces that are spread over the mesh, and those whose rough rows differ the most from the given ones.
+  std::vector<std::uint32_t> chosenSurfaces() const {
+    const std::size_t surfaces = area_.size();
+    std::vector<std::uint32_t> chosen = spreadSurfaces(surfaces, static_cast<std::size_t>(settings_.rows)), all;
+    if (chosen.size() == surfaces) return chosen;
+    all = spreadSurfaces(surfaces, surfaces);
+    const auto samples = static_cast<int>(std::clamp<std::size_t>((std::size_t{1} << 20) / surfaces, 64, 1 << 12));
+    const std::vector<TrueRow> rough = measuredRows(mesh_, all, samples);
+    std::vector<double> apart(surfaces, 0.0);
+    for (std::uint32_t s = 0; s < surfaces; ++s) {
+      double given = 0;
+      for (std::uint32_t to = 0; to < surfaces; ++to) {
+        const double found = entry(matrix_, facet(s), facet(to)), back = entry(matrix_, facet(to), facet(s));
+        apart[s] += std::abs(found - rough[s].factor[to]) + std::abs(found - back * area_[to] / area_[s]);
+        given += found;
+      }
+      if (hasOutside())
+        for (std::uint32_t k = 0; k < 2; ++k) given += entry(matrix_, facet(s), facetCount() + k);
+      if (hasOutside()) apart[s] += 10 * std::abs(given - 1);
+    }
+    std::stable_sort(all.begin(), all.end(), [&](auto a, auto b) { return apart[a] > apart[b]; });
+    for (const std::uint32_t s : std::span(all).first(std::min(suspects, surfaces)))
+      if (std::find(chosen.begin(), chosen.end(), s) == chosen.end()) chosen.push_back(s);
+    return chosen;
+  }
+
+  std::uint32_t facetCount() const { return static_cast<std::uint32_t>(mesh_.facets); }
+
+  /// Holds what each measured facet receives against its column, unless facets share their light.
+  void addColumns() {
+    for (std::uint32_t s = 0; s < area_.size(); ++s)
+      if (placeOf_[s] != s || facetsOf_[s].size() > 1) return;
+    for (std::size_t r = 0; r < measured_; ++r) {
+      rows_.push_back(rows_[r]);
+      rows_.back().isColumn = true;
+      unblocked_.push_back(unblocked_[r]);
+    }
+  }
+
   bool hasSize() {
     if (matrix_.rows() == mesh_.facets && (matrix_.columns == mesh_.facets || matrix_.columns == mesh_.facets + 2))
       return true;
@@ -267,7 +337,7 @@ class Judge {
   }
 
   void checkReciprocity() {
-    double difference = 0, sum = 0, worst = 0;
+    double difference = 0, sum = 0, expected = 0, worst = 0;
     std::pair<std::uint32_t, std::uint32_t> place;
     std::vector<double> area(mesh_.facets, 0.0);  // of the facets
     for (std::uint32_t s = 0; s < area_.size(); ++s) area[facet(s)] = area_[s];
@@ -278,6 +348,9 @@ class Judge {
         const std::uint32_t j = row.column[k];
         const double there = area[i] * row.value[k], back = area[j] * entry(matrix_, j, i);
         sum += there;
+        if (!matrix_.error.empty() && area[j] > 0)
+          expected +=
+              (area[i] * matrix_.error[matrix_.rowStart[i] + k] + area[j] * statedError(j, i, there / area[j])) / 2;
         // A pair of which one entry is missing is met once.
         difference += (back == 0 ? 2 : 1) * std::abs(there - back) / 2;
         if (std::abs(there - back) > worst) {
@@ -287,25 +360,161 @@ class Judge {
       }
     }
     verdict_.reciprocity = sum > 0 ? difference / sum : 0;
-    if (verdict_.reciprocity > std::max(0.2, 4 * settings_.tolerance))
+    if (difference - unclear * expected > std::max(0.2, 4 * settings_.tolerance) * sum)
       add("reciprocity is missed by " + shortNumber(100 * verdict_.reciprocity) +
           " % of all exchange; the worst pair is " + name(place.first) + " and " + name(place.second));
   }
 
-  /// The sum of entries to the place of a surface; 0 if it is that of an earlier surface.
-  double given(std::size_t row, std::uint32_t to) const {
+  /// Entries of a measured row, or of what it receives, in a matrix whose entry from facet i to facet j is at(i, j):
+  /// the sum of those to the place of a surface; 0 if it is that of an earlier surface.
+  template <typename At>
+  double gathered(std::size_t row, std::uint32_t to, const At& at) const {
+    const std::uint32_t own = rows_[row].surface;
+    if (rows_[row].isColumn) return area_[to] / area_[own] * at(facet(to), facet(own));
     double sum = 0;
-    for (const std::uint32_t f : facetsOf_[to]) sum += entry(matrix_, facet(rows_[row].surface), f);
+    for (const std::uint32_t f : facetsOf_[to]) sum += at(facet(own), f);
     return sum;
   }
 
-  /// The error that the matrix states for it; 0 if it states none.
+  double given(std::size_t row, std::uint32_t to) const {
+    return gathered(row, to, [this](std::uint32_t i, std::uint32_t j) { return entry(matrix_, i, j); });
+  }
+
+  /// The error that the matrix states for an entry whose true value is known; 0 if it states none. Errors of counts
+  /// grow with the root of the value, so that a true value above the given one has a larger error. An entry that the
+  /// matrix lacks has the error of the smallest one of its row.
+  double statedError(std::uint32_t i, std::uint32_t j, double truth) const {
+    if (matrix_.error.empty()) return 0;
+    std::optional<std::size_t> place = matrix_.placeOf(i, j);
+    if (!place) {
+      const auto begin = matrix_.value.begin() + static_cast<std::ptrdiff_t>(matrix_.rowStart[i]),
+                 end = matrix_.value.begin() + static_cast<std::ptrdiff_t>(matrix_.rowStart[i + std::size_t{1}]);
+      if (begin == end) return 0;
+      place = static_cast<std::size_t>(std::min_element(begin, end) - matrix_.value.begin());
+    }
+    const double value = matrix_.value[*place];
+    return matrix_.error[*place] * std::sqrt(value > 0 ? std::max(1.0, truth / value) : 1.0);
+  }
+
   double stated(std::size_t row, std::uint32_t to) const {
     if (matrix_.error.empty()) return 0;
-    double sum = 0;
-    for (const std::uint32_t f : facetsOf_[to])
-      if (const auto place = matrix_.placeOf(facet(rows_[row].surface), f)) sum += matrix_.error[*place];
-    return sum;
+    const TrueRow& r = rows_[row];
+    const double truth = r.isColumn ? r.factor[to] * area_[r.surface] / area_[to] : r.factor[to];
+    return gathered(row, to, [&](std::uint32_t i, std::uint32_t j) { return statedError(i, j, truth); });
+  }
+
+  /// A difference of an entry that is no fault; entries of large facets weigh more in what a small one receives.
+  double smallest(std::size_t row, std::uint32_t to) const {
+    return smallestFactor * (rows_[row].isColumn ? std::max(1.0, area_[to] / area_[rows_[row].surface]) : 1.0);
+  }
+
+  /// Whether a value lies in its interval.
+  bool isInside(double found, double truth, double error, double stated, double part) const {
+    return std::abs(found - truth) <= confidence * std::hypot(error, stated) +
+                                          part * settings_.tolerance * std::max(found, truth) + smallestFactor;
+  }
+
+  std::string lightOf(const TrueRow& row) const {
+    return (row.isColumn ? "the light that " + name(facet(row.surface)) + " receives"
+                         : "the row of " + name(facet(row.surface)));
+  }
+
+  /// The sums over what is judged of a measured row, and the error of that of the matrix. Stated errors are added, or,
+  /// as those of rays, independent.
+  struct RowSums {
+    double found = 0, truth = 0, stated = 0;
+  };
+  RowSums sumsOf(std::size_t r) const {
+    RowSums sums;
+    double squares = 0, all = 0, amplified = 0;
+    for (std::uint32_t to = 0; to < area_.size(); ++to) {
+      if (isTied(r, to)) continue;
+      const double larger = smallest(r, to) - smallestFactor;
+      amplified += larger * larger;
+      const double error = stated(r, to);
+      sums.found += given(r, to);
+      sums.truth += rows_[r].factor[to];
+      squares += error * error;
+      all += error;
+    }
+    sums.stated = std::max(std::sqrt(squares), all / confidence) + std::sqrt(amplified) / confidence;
+    return sums;
+  }
+
+  /// Sums of rows and of columns, of each and of all together.
+  void checkSums() {
+    std::size_t count = 0;
+    double worst = 0, found = 0, truth = 0, squares = 0;
+    std::string text;
+    for (std::size_t r = 0; r < rows_.size(); ++r) {
+      const TrueRow& row = rows_[r];
+      const RowSums sums = sumsOf(r);
+      const double area = area_[row.surface];
+      if (!row.isColumn) {
+        found += area * sums.found;
+        truth += area * sums.truth;
+        squares += area * area * (row.sumError * row.sumError + sums.stated * sums.stated);
+      }
+      if (isInside(sums.found, sums.truth, row.sumError, sums.stated, toleranceOfSums)) continue;
+      ++count;
+      const double excess = std::abs(sums.found - sums.truth);
+      if (excess <= worst) continue;
+      worst = excess;
+      text = lightOf(row) + ": " + shortNumber(sums.found) + ", where rays measure " + shortNumber(sums.truth) +
+             " +- " + shortNumber(confidence * row.sumError);
+    }
+    if (count > 0) add(std::to_string(count) + " sums of rows or columns differ from rays; the worst is " + text);
+    if (count == 0 &&
+        std::abs(found - truth) > confidence * std::sqrt(squares) + toleranceOfSums * settings_.tolerance * truth)
+      add("all entries of the measured rows together are " + shortNumber(found / truth) + " of what rays measure");
+    if (!hasOutside()) return;
+    std::size_t open = 0;
+    worst = 0;
+    for (std::uint32_t f = 0; f < mesh_.facets; ++f) {
+      const SparseRow row = matrix_.row(f);
+      const double sum = std::accumulate(row.value.begin(), row.value.end(), 0.0);
+      if (sum == 0 || std::abs(sum - 1) <= toleranceOfSums * settings_.tolerance) continue;
+      ++open;
+      if (std::abs(sum - 1) <= worst) continue;
+      worst = std::abs(sum - 1);
+      text = name(f) + ": " + shortNumber(sum);
+    }
+    if (open > 0)
+      add(std::to_string(open) + " rows with surroundings and backs do not sum to 1; the worst is that of " + text);
+  }
+
+  /// The share of a measured row that leaves the mesh (0), or meets backs (1).
+  double outside(std::size_t r, std::uint32_t which) const {
+    return entry(matrix_, facet(rows_[r].surface), facetCount() + which);
+  }
+  bool isOutsideJudged(std::size_t r, std::uint32_t which) const {
+    return !rows_[r].isColumn && (which == 0 || !touches_[rows_[r].surface]);
+  }
+
+  void checkOutside() {
+    if (!hasOutside()) return;
+    for (std::uint32_t which = 0; which < 2; ++which) {
+      std::size_t count = 0;
+      double worst = 0;
+      std::string text;
+      for (std::size_t r = 0; r < measured_; ++r) {
+        const Measurement& truth = rows_[r].outside[which];
+        const double found = outside(r, which), apart = std::abs(found - truth.value);
+        const double error = statedError(facet(rows_[r].surface), facetCount() + which, truth.value);
+        if (!isOutsideJudged(r, which) ||
+            isInside(found, truth.value, truth.standardError, error, which == 0 ? 1 : toleranceOfBacks))
+          continue;
+        isOutsideWrong_ = true;
+        ++count;
+        if (apart <= worst) continue;
+        worst = apart;
+        text = shortNumber(found) + " from " + name(facet(rows_[r].surface)) + ", where rays measure " +
+               shortNumber(truth.value);
+      }
+      if (count > 0)
+        add(std::to_string(count) + (which == 0 ? " shares of the surroundings" : " shares of backs") + " of " +
+            std::to_string(measured_) + " measured rows differ from rays; the worst is " + text);
+    }
   }
 
   /// Where the given rows leave their intervals.
@@ -321,24 +530,31 @@ class Judge {
       ++kind.count;
       if (excess <= kind.worst) return;
       kind.worst = excess;
-      kind.text =
-          shortNumber(found) + " from " + name(facet(rows_[r].surface)) + " to " + name(facet(to)) + ", where " + truth;
+      const bool isColumn = rows_[r].isColumn;
+      const std::uint32_t own = facet(rows_[r].surface), other = facet(to);
+      kind.text = shortNumber(found) + " from " + name(isColumn ? other : own) + " to " + name(isColumn ? own : other) +
+                  (isColumn ? ", in parts of what the latter sends" : "") + ", where " + truth;
     };
-    double difference = 0, sum = 0, noise = 0;
+    double difference = 0, sum = 0, noise = 0, ofErrors = 0;
     for (std::size_t r = 0; r < rows_.size(); ++r) {
       const TrueRow& row = rows_[r];
       for (std::uint32_t to = 0; to < area_.size(); ++to) {
         const double found = given(r, to), truth = row.factor[to], closed = unblocked_[r][to];
-        const double allowed = confidence * std::hypot(row.error[to], stated(r, to)) +
-                               settings_.tolerance * std::max(found, truth) + smallestFactor;
-        const double beyond = found - closed * (1 + std::max(settings_.tolerance, 2e-3));
-        if (isTied(r, to) && beyond <= smallestFactor) continue;
-        difference += area_[row.surface] * std::abs(found - truth);
-        noise += area_[row.surface] * row.error[to];
-        sum += area_[row.surface] * truth;
-        if (closed == 0 && found > smallestFactor)
+        const double ofMatrix = stated(r, to), least = smallest(r, to);
+        const double allowed =
+            confidence * std::hypot(row.error[to], ofMatrix) + settings_.tolerance * std::max(found, truth) + least;
+        const double beyond =
+            found - closed * (1 + std::max(settings_.tolerance, 2e-3)) - (closed > 0 ? confidence * ofMatrix : 0);
+        if (isTied(r, to) && beyond <= least) continue;
+        if (!row.isColumn) {
+          difference += area_[row.surface] * std::abs(found - truth);
+          noise += area_[row.surface] * row.error[to];
+          ofErrors += area_[row.surface] * std::hypot(row.error[to], ofMatrix);
+          sum += area_[row.surface] * truth;
+        }
+        if (closed == 0 && found > least)
           count(impossible, r, to, found, found, "nothing can be seen");
-        else if (beyond > smallestFactor)
+        else if (beyond > least)
           count(above, r, to, found - closed, found, "the closed form without blockers is " + shortNumber(closed));
         else if (found == 0 && truth > allowed)
           count(missing, r, to, truth, found, "rays measure " + shortNumber(truth));
@@ -347,14 +563,14 @@ class Judge {
                 "rays measure " + shortNumber(truth) + " +- " + shortNumber(confidence * row.error[to]));
       }
     }
-    verdict_.measuredRows = rows_.size();
+    verdict_.measuredRows = measured_;
     verdict_.difference = sum > 0 ? difference / sum : difference;
     verdict_.noise = sum > 0 ? noise / sum : 0;
-    if (verdict_.difference - 3 * verdict_.noise > settings_.tolerance)
+    if (difference - unclear * ofErrors > settings_.tolerance * sum && verdict_.difference > rounding)
       add("the measured rows differ from rays by " + shortNumber(100 * verdict_.difference) + " % of their light");
     const auto tell = [&](const Kind& kind, const std::string& what) {
       if (kind.count > 0)
-        add(std::to_string(kind.count) + " entries of " + std::to_string(rows_.size()) + " measured rows " + what +
+        add(std::to_string(kind.count) + " entries of " + std::to_string(measured_) + " measured rows " + what +
             "; the worst is " + kind.text);
     };
     tell(impossible, "are above 0 where nothing can be seen");
@@ -367,7 +583,7 @@ class Judge {
   void checkErrors() {
     if (matrix_.error.empty()) return;
     double difference = 0, expected = 0, all = 0;
-    for (std::size_t r = 0; r < rows_.size(); ++r)
+    for (std::size_t r = 0; r < measured_; ++r)
       for (std::uint32_t to = 0; to < area_.size(); ++to) {
         if (isTied(r, to)) continue;
         const double area = area_[rows_[r].surface];
@@ -380,30 +596,161 @@ class Judge {
           " times the errors that the matrix states");
   }
 
-  /// The sum of the differences of two matrices in the measured rows, by area.
-  double distance(const Value& a, const Value& b) const {
-    double sum = 0;
-    for (std::size_t r = 0; r < rows_.size(); ++r)
-      for (std::uint32_t to = 0; to < area_.size(); ++to)
-        sum += area_[rows_[r].surface] * std::abs(a(r, to) - b(r, to));
-    return sum;
+  /// The sum of the differences of two matrices in the measured rows, by area, of entries and of sums, as far as errors
+  /// do not explain them. With `columns` also of what the facets receive.
+  double distance(const Value& a, const Value& b, bool columns = false) const {
+    double sum = 0, all = 0, squares = 0;
+    for (std::size_t r = 0; r < (columns ? rows_.size() : measured_); ++r) {
+      const double area = area_[rows_[r].surface], sumError = std::hypot(rows_[r].sumError, sumsStated_[r]);
+      double apart = 0, difference = 0;
+      for (std::uint32_t to = 0; to < area_.size(); ++to) {
+        if (isTied(r, to)) continue;
+        const double one = a(r, to) - b(r, to);
+        apart += std::max(0.0, std::abs(one) - unclear * errors_[r][to]);
+        difference += one;
+      }
+      sum += area * (apart + std::max(0.0, std::abs(difference) - unclear * sumError));
+      if (rows_[r].isColumn) continue;
+      all += area * difference;
+      squares += area * area * sumError * sumError;
+    }
+    return sum + std::max(0.0, std::abs(all) - unclear * std::sqrt(squares));
   }
 
   /// Names the fault whose prediction is nearest to the matrix.
   void nameFault() {
+    for (std::size_t r = 0; r < rows_.size(); ++r) {
+      sumsStated_.push_back(sumsOf(r).stated);
+      errors_.emplace_back(area_.size());
+      for (std::uint32_t to = 0; to < area_.size(); ++to)
+        errors_[r][to] = std::hypot(rows_[r].error[to], stated(r, to));
+    }
     const Value matrix = [this](std::size_t r, std::uint32_t to) { return given(r, to); };
     const Value truth = [this](std::size_t r, std::uint32_t to) { return rows_[r].factor[to]; };
     const double all = distance(truth, [](std::size_t, std::uint32_t) { return 0.0; });
-    double nearest = distance(matrix, truth) / nearerBy;
-    const auto consider = [&](const std::string& fault, const Value& found, const Value& predicted, double scale = 1) {
-      const double apart = scale * distance(found, predicted);
-      if (!(apart < nearest) || !(apart < 0.25 * all)) return;
-      nearest = apart;
+    const double before = distance(matrix, truth), beforeBoth = distance(matrix, truth, true);
+    double nearest = 1 / nearerBy;
+    const auto consider = [&](const std::string& fault, const Value& found, const Value& predicted, double scale = 1,
+                              bool columns = false) {
+      const double apart = scale * distance(found, predicted, columns), most = columns ? beforeBoth : before;
+      if (!(apart < nearest * most) || !(apart < 0.25 * all)) return;
+      nearest = apart / most;
       verdict_.fault = fault;
     };
     considerChangedMatrices(consider, truth);
     considerChangedTruths(consider, matrix);
+    considerScale(consider, truth);
+    considerFacets(consider, matrix, truth);
     if (!verdict_.fault) considerOrders(consider, truth);
+    if (!verdict_.fault && isOutsideWrong_ && before < settings_.tolerance * all) verdict_.fault = outsideFault();
+  }
+
+  /// All entries by one factor, unless a factor with a meaning explains it.
+  template <typename Consider>
+  void considerScale(const Consider& consider, const Value& truth) const {
+    if (verdict_.fault) return;
+    double found = 0, sum = 0;
+    for (std::size_t r = 0; r < measured_; ++r) {
+      const RowSums sums = sumsOf(r);
+      found += area_[rows_[r].surface] * sums.found;
+      sum += area_[rows_[r].surface] * sums.truth;
+    }
+    if (!(found > 0 && sum > 0)) return;
+    const double factor = found / sum;
+    consider(
+        "all entries are multiplied by " + shortNumber(factor),
+        [this, factor](std::size_t r, std::uint32_t to) { return given(r, to) / factor; }, truth);
+  }
+
+  /// Faults of single facets: those whose measured rows or columns differ the most.
+  template <typename Consider>
+  void considerFacets(const Consider& consider, const Value& matrix, const Value& truth) const {
+    std::vector<std::uint32_t> worst;
+    std::vector<double> apart(area_.size(), 0.0);
+    for (std::size_t r = 0; r < rows_.size(); ++r) {
+      const std::uint32_t own = rows_[r].surface;
+      if (!rows_[r].isColumn) worst.push_back(own);
+      for (std::uint32_t to = 0; to < area_.size(); ++to)
+        apart[own] += std::max(0.0, std::abs(given(r, to) - rows_[r].factor[to]) - unclear * errors_[r][to]);
+      const RowSums sums = sumsOf(r);
+      apart[own] += std::max(0.0, std::abs(sums.found - sums.truth) - unclear * rows_[r].sumError);
+    }
+    std::stable_sort(worst.begin(), worst.end(), [&](auto a, auto b) { return apart[a] > apart[b]; });
+    worst.resize(std::min(worst.size(), suspects));
+    for (std::size_t r = 0; r < rows_.size(); ++r) {
+      const std::uint32_t own = facet(rows_[r].surface);
+      const RowSums sums = sumsOf(r);
+      if (std::find(worst.begin(), worst.end(), rows_[r].surface) == worst.end() || sums.truth == 0) continue;
+      const double factor = sums.found / sums.truth;
+      const bool isColumn = rows_[r].isColumn;
+      if (factor == 0 && !isColumn)
+        consider(
+            "the row of " + name(own) + " is empty", matrix,
+            [this, r](std::size_t row, std::uint32_t to) {
+              const std::uint32_t from = rows_[row].isColumn ? to : rows_[row].surface;
+              return from == rows_[r].surface ? 0.0 : rows_[row].factor[to];
+            },
+            1, true);
+      if (!(factor > 0)) continue;
+      consider((isColumn ? "the column of " : "the row of ") + name(own) + " is multiplied by " + shortNumber(factor),
+               changed([this, own, isColumn, factor](std::uint32_t i, std::uint32_t j) {
+                 return entry(matrix_, i, j) / ((isColumn ? j : i) == own ? factor : 1);
+               }),
+               truth, 1, true);
+    }
+    for (std::size_t a = 0; a < worst.size(); ++a)
+      for (std::size_t b = a + 1; b < worst.size(); ++b) {
+        const std::uint32_t one = facet(worst[a]), two = facet(worst[b]);
+        const auto other = [one, two](std::uint32_t f) { return f == one ? two : f == two ? one : f; };
+        consider(
+            "facets " + std::to_string(std::min(one, two)) + " and " + std::to_string(std::max(one, two)) +
+                " are exchanged",
+            changed([this, other](std::uint32_t i, std::uint32_t j) { return entry(matrix_, other(i), other(j)); }),
+            truth, 1, true);
+      }
+    worst.resize(std::min<std::size_t>(worst.size(), 3));
+    for (const std::uint32_t surface : worst) {
+      if (verdict_.fault) return;
+      const Value turned = truthOf(turnedOver(mesh_.scene, surface));
+      consider("the normal of " + name(facet(surface)) + " is turned over", matrix, turned);
+    }
+  }
+
+  /// The measured rows of another scene with the same facets.
+  Value truthOf(const radiosity::Scene& scene) const {
+    const FacetMesh other{scene, mesh_.discretization, mesh_.facetOf, mesh_.facets};
+    std::vector<std::uint32_t> surfaces;
+    for (std::size_t r = 0; r < measured_; ++r) surfaces.push_back(rows_[r].surface);
+    return [rows = measuredRows(other, surfaces, settings_.samples)](std::size_t r, std::uint32_t to) {
+      return rows[r].factor[to];
+    };
+  }
+
+  /// What is wrong with surroundings and backs where nothing is known to be wrong with the form factors.
+  std::string outsideFault() const {
+    double found = 0, sum = 0, exchanged = 0, straight = 0;
+    for (std::size_t r = 0; r < measured_; ++r) {
+      found += outside(r, 0);
+      sum += rows_[r].outside[0].value;
+      for (std::uint32_t k = 0; k < 2; ++k) {
+        straight += std::abs(outside(r, k) - rows_[r].outside[k].value);
+        exchanged += std::abs(outside(r, k) - rows_[r].outside[1 - k].value);
+      }
+    }
+    if (exchanged * nearerBy < straight) return "surroundings and backs are exchanged";
+    const double factor = sum > 0 ? found / sum : 0;
+    double scaled = 0;
+    for (std::size_t r = 0; r < measured_; ++r)
+      scaled += std::abs(outside(r, 0) - factor * rows_[r].outside[0].value) +
+                std::abs(outside(r, 1) - rows_[r].outside[1].value);
+    if (scaled * nearerBy < straight) return "surroundings are multiplied by " + shortNumber(factor);
+    return "surroundings or backs are wrong, although form factors may be right";
+  }
+
+  /// The measured entries of a matrix whose entry from facet i to facet j is at(i, j).
+  template <typename At>
+  Value changed(const At& at) const {
+    return [this, at](std::size_t r, std::uint32_t to) { return gathered(r, to, at); };
   }
 
   /// The entry of a measured row, to the place of a surface, in a matrix whose facet f has the number other(f). Facets
@@ -431,10 +778,7 @@ class Judge {
     FormFactorMatrix given{facets, std::vector<double>(facets * facets)}, rough = given;
     for (std::uint32_t i = 0; i < facets; ++i)
       for (std::uint32_t j = 0; j < facets; ++j) given.factors[i * facets + j] = entry(matrix_, i, j);
-    JudgeSettings settings = settings_;
-    settings.rows = static_cast<int>(area_.size());
-    settings.samples = 1 << 14;
-    for (const TrueRow& row : measuredRows(mesh_, settings))
+    for (const TrueRow& row : measuredRows(mesh_, spreadSurfaces(area_.size(), area_.size()), 1 << 14))
       for (std::uint32_t to = 0; to < area_.size(); ++to)
         rough.factors[facet(row.surface) * facets + facet(to)] = row.factor[to];
     const auto order = facetOrder(given, rough);
@@ -471,6 +815,11 @@ class Judge {
     consider("facets are in reversed order", moved(truth, [last](std::int64_t f) { return last - f; }), truth);
     consider("facets are shifted by one, as if counted from 1 instead of 0",
              moved(truth, [](std::int64_t f) { return f + 1; }), truth);
+    for (const int step : {-1, 1})
+      consider("rows are shifted by one, but not columns", changed([this, step](std::uint32_t i, std::uint32_t j) {
+                 return entry(matrix_, (i + facetCount() + static_cast<std::uint32_t>(step)) % facetCount(), j);
+               }),
+               truth);
     consider("facets are shifted by one, as if counted from 0 instead of 1",
              moved(truth, [](std::int64_t f) { return f - 1; }), truth);
   }
@@ -491,11 +840,19 @@ class Judge {
     const std::vector<std::vector<bool>> sees = centresThatSee();
     consider("partly hidden pairs are decided by their centres", matrix,
              [&](std::size_t r, std::uint32_t to) { return sees[r][to] ? unblocked_[r][to] : 0.0; });
-    const radiosity::Scene turned = turnedOver(mesh_.scene);
-    const FacetMesh other{turned, mesh_.discretization, mesh_.facetOf, mesh_.facets};
-    const std::vector<TrueRow> rows = measuredRows(other, settings_);
-    consider("all normals are turned over", matrix,
-             [&](std::size_t r, std::uint32_t to) { return rows[r].factor[to]; });
+    consider("all normals are turned over", matrix, truthOf(turnedOver(mesh_.scene)));
+    consider("entries are averaged with their opposites, without areas", matrix,
+             [this](std::size_t r, std::uint32_t to) {
+               return rows_[r].factor[to] * (1 + area_[rows_[r].surface] / area_[to]) / 2;
+             });
+    // The smallest entry that the matrix has.
+    double kept = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < matrix_.value.size(); ++k)
+      if (matrix_.column[k] < mesh_.facets && matrix_.value[k] > 0) kept = std::min(kept, matrix_.value[k]);
+    consider("entries below " + shortNumber(kept) + " are dropped", matrix,
+             [this, kept](std::size_t r, std::uint32_t to) {
+               return rows_[r].factor[to] < kept ? 0.0 : rows_[r].factor[to];
+             });
   }
 
   /// Each facet of a place receives as much as if it were alone there. The same for facets right behind another.
@@ -532,7 +889,7 @@ class Judge {
       surfaceOf.insert(surfaceOf.end(), scene.surfaces[s].triangles.size(), s);
     }
     std::vector<std::vector<bool>> sees;
-    for (const TrueRow& row : rows_) {
+    for (const TrueRow& row : std::span(rows_).first(measured_)) {
       const glm::dvec3 start = middleOf(scene.surfaces[row.surface]);
       std::vector<bool> seen(scene.surfaces.size());
       for (std::uint32_t to = 0; to < seen.size(); ++to) {
@@ -556,7 +913,11 @@ class Judge {
   std::vector<std::uint32_t> placeOf_;                ///< the first surface in the place of each
   std::vector<std::vector<std::uint32_t>> facetsOf_;  ///< of the place of each surface that is the first there
   std::vector<double> areaOfPlace_;                   ///< of these facets
-  std::vector<TrueRow> rows_;
+  std::vector<TrueRow> rows_;                         ///< measured, then the same for what these facets receive
+  std::size_t measured_ = 0;
+  std::vector<std::vector<double>> errors_;  ///< of the entries of rows_, those that the matrix states included
+  std::vector<double> sumsStated_;           ///< errors of the sums of rows_ that the matrix states
+  bool isOutsideWrong_ = false;
   std::vector<std::vector<double>> unblocked_;  ///< of the measured rows
   MatrixVerdict verdict_;
 };

@@ -153,7 +153,7 @@ std::vector<double> MatrixSmoother::multipliers(const std::vector<double>& missi
   return inUnits(std::move(x));
 }
 
-SmoothingMoves MatrixSmoother::smooth() {
+SmoothingMoves MatrixSmoother::smooth(bool isClosed) {
   assert(rows_ == area_.size());
   const auto place = [](const Exchange& exchange) { return std::tie(exchange.low, exchange.high); };
   const auto isBefore = [place](const Exchange& a, const Exchange& b) { return place(a) < place(b); };
@@ -169,7 +169,14 @@ SmoothingMoves MatrixSmoother::smooth() {
     wanted[exchange.low] += std::max(exchange.measured[0], 0.0);
     if (exchange.low != exchange.high && isShared(exchange))
       wanted[exchange.high] += std::max(exchange.measured[1], 0.0);
+    if (isClosed && !isShared(exchange)) {
+      exchange.flux = std::max(exchange.measured[0], 0.0);
+      exchange.variance = 0;
+    }
   }
+  if (isClosed)
+    for (std::size_t row = 0; row < wanted.size(); ++row)
+      if (wanted[row] > 0) wanted[row] = area_[row];
   for (bool isOutside = true; isOutside;) {
     std::vector<double> missing = wanted;
     addScaled(missing, -1, sums(&Exchange::flux));

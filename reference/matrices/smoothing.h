@@ -47,8 +47,9 @@ class MatrixSmoother {
 
   /// Adds the next row. Values below 0, which are errors, count as 0. Either all rows have errors, or none.
   void add(const SparseRow& row);
-  /// To be called once, after all rows.
-  SmoothingMoves smooth();
+  /// To be called once, after all rows. With `isClosed` each row that has entries sums to 1 instead of its sum before,
+  /// and what columns behind the facets count stays.
+  SmoothingMoves smooth(bool isClosed = false);
   /// Calls take(row) with each smoothed row, in order. The error of an entry is the harmonic mean of those of its
   /// measurements: that of both if they are equal, and at most twice the smaller one.
   void forEachRow(const std::function<void(SparseRow row)>& take) const;

@@ -90,6 +90,33 @@ TEST_CASE("hemitex matrix compare of a matrix with itself is 0, and of two metho
   CHECK(difference["facets"].size() == 6);
 }
 
+TEST_CASE("hemitex matrix smooth repairs reciprocity and sums of rows, and tells leaks of a closed mesh", "[cli]") {
+  const Shell shell;
+  shell.output("formfactors room.obj --all --facets --max-error 0.01 -o F.csv");
+  // One entry is spoiled, and the row of facet 0 leaks. All walls of the cube have one area.
+  shell.execute(
+      "awk -F, -v OFS=, '$1 == 1 && $2 == 2 {$3 *= 1.2} {print} END {print 0, \"surroundings\", 0.1}' F.csv > G.csv");
+  for (const char* file : {"a.npz", "b.csv", "c.mtx"}) {
+    const json told = json::parse(shell.output("matrix smooth G.csv room.obj --json -o " + std::string(file)));
+    CHECK(told["leaks"].size() == 1);
+    CHECK(told["leaks"][0]["facet"] == 0);
+    CHECK(told["rows_missed"].empty());
+    const hemitex::reference::SparseMatrix matrix = hemitex::reference::readMatrix(shell.file(file)).matrix;
+    for (std::uint32_t i = 0; i < 6; ++i) {
+      double sum = 0;
+      for (std::uint32_t j = 0; j < 6; ++j) {
+        const auto there = matrix.placeOf(i, j), back = matrix.placeOf(j, i);
+        REQUIRE(there.has_value() == back.has_value());
+        if (there) sum += matrix.value[*there];
+        if (there) CHECK(std::abs(matrix.value[*there] - matrix.value[*back]) < 1e-12);
+      }
+      CHECK(std::abs(sum - 1) < 1e-9);
+    }
+  }
+  CHECK(shell.run("matrix smooth G.csv room.obj -o d.txt").exitCode == 2);
+  CHECK(shell.run("matrix smooth G.csv room.obj").exitCode == 2);
+}
+
 TEST_CASE("SciPy and Octave read the same matrices from .npz, .mtx and .csv", "[cli]") {
   const Shell shell;
   const std::string box = HEMITEX_DATA "/cornell-box.obj --all --facets --max-error 0.05 -o ";

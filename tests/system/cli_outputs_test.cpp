@@ -45,6 +45,7 @@ const std::map<std::string, Writer> writers{
      {"out", "formfactors room.obj --all --by-surface --resolution 16 -o OUT", "", "room.mtl"}},
     {"hemitex formfactors --vtu", {"out.vtu", "formfactors box.vtu " + facets + "-o G.npz --vtu OUT", "", "box.vtu"}},
     {"hemitex matrix compare --vtu", {"out.vtu", "matrix compare F.csv F.csv box.vtu --vtu OUT", "", "box.vtu"}},
+    {"hemitex matrix smooth -o,--output", {"out.csv", "matrix smooth F.csv box.vtu -o OUT", "", "box.vtu"}},
     {"hemitex tradeoff -o,--output",
      {"out", "tradeoff room.obj --texels 1 --patch 1 --samples 128 --method hemicube=16 -o OUT", "tradeoff.csv", ""}},
     {"hemitex paper -o,--output", {"out", "paper -o OUT", "", "", false}},

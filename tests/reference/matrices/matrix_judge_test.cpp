@@ -8,6 +8,7 @@
 #include <functional>
 #include <map>
 #include <numeric>
+#include <optional>
 
 #include "radiosity/discretization/discretize.h"
 #include "radiosity/scene/load_scene.h"
@@ -27,7 +28,7 @@ namespace {
 
 using Dense = std::vector<std::vector<double>>;
 
-const JudgeSettings quick{.samples = 1 << 15};
+const JudgeSettings quick{.samples = 1 << 13};
 
 /// A mesh with its true matrix, by rays, and closed forms. Facets without a surface have empty rows and columns.
 struct Judged {
@@ -74,10 +75,11 @@ struct Judged {
     return result;
   }
 
-  /// The true matrix of the mesh whose facets are all turned over.
-  Dense turnedOver() const {
+  /// The true matrix of the mesh whose facets are all turned over, or one of them.
+  Dense turnedOver(std::optional<std::uint32_t> only = {}) const {
     Scene turned = scene;
-    for (Surface& surface : turned.surfaces) turnOver(surface);
+    for (std::uint32_t s = 0; s < turned.surfaces.size(); ++s)
+      if (!only || *only == mesh.facetOf[s]) turnOver(turned.surfaces[s]);
     return rowsByRays(turned, 6);
   }
 
@@ -173,6 +175,7 @@ std::map<std::string, Dense> faultsOf(const Judged& mesh) {
   const std::vector<double>& area = mesh.area;
   const std::size_t last = mesh.count - 1;
   const std::vector<std::size_t> order = shuffled(mesh.count);
+  const auto swapped = [](std::size_t k) { return k == 3 ? std::size_t{5} : k == 5 ? std::size_t{3} : k; };
   const auto sumOf = [&](std::size_t i) { return std::accumulate(f[i].begin(), f[i].end(), 0.0); };
   return {
       {"the matrix is transposed", mesh.changed([&](auto i, auto j) { return f[j][i]; })},
@@ -190,6 +193,18 @@ std::map<std::string, Dense> faultsOf(const Judged& mesh) {
        mesh.changed([&](auto i, auto j) { return i == last || j == last ? 0.0 : f[i + 1][j + 1]; })},
       {"facets are in another order", mesh.changed([&](auto i, auto j) { return f[order[i]][order[j]]; })},
       {"blockers are ignored", u},
+      {"all entries are multiplied by", mesh.changed([&](auto i, auto j) { return 0.9 * f[i][j]; })},
+      {"the row of facet 3 is multiplied by",
+       mesh.changed([&](auto i, auto j) { return f[i][j] * (i == 3 ? 1.1 : 1); })},
+      {"the column of facet 3 is multiplied by",
+       mesh.changed([&](auto i, auto j) { return f[i][j] * (j == 3 ? 1.1 : 1); })},
+      {"facets 3 and 5 are exchanged", mesh.changed([&](auto i, auto j) { return f[swapped(i)][swapped(j)]; })},
+      {"the normal of facet 4 is turned over", mesh.turnedOver(4)},
+      {"entries are averaged with their opposites, without areas",
+       mesh.changed([&](auto i, auto j) { return (f[i][j] + f[j][i]) / 2; })},
+      {"entries below", mesh.changed([&](auto i, auto j) { return f[i][j] < 0.03 ? 0.0 : f[i][j]; })},
+      {"rows are shifted by one, but not columns",
+       mesh.changed([&](auto i, auto j) { return f[(i + 1) % mesh.count][j]; })},
       {"all normals are turned over", mesh.turnedOver()},
       {"partly hidden pairs are decided by their centres", mesh.byCentres()},
       {"blockers count twice",
@@ -334,7 +349,7 @@ TEST_CASE("judgeMatrix takes errors that a matrix states into account, and says 
     rough.value[k] *= k % 2 == 0 ? 1.12 : 0.88;
   }
   const auto isWrong = [](const SparseMatrix& matrix, const std::string& text) {
-    const MatrixVerdict verdict = judgeMatrix(matrix, box().mesh, quick);
+    const MatrixVerdict verdict = judgeMatrix(matrix, box().mesh, {.samples = 1 << 15});
     return std::any_of(verdict.problems.begin(), verdict.problems.end(),
                        [&](const std::string& problem) { return problem.find(text) != std::string::npos; });
   };
