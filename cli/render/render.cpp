@@ -120,7 +120,7 @@ radiosity::Light lightOf(const RenderOptions& options, const Subject& subject, C
   };
   radiosity::Light light = radiosity::light(subject.scene, discretizationOf(options.discretization, subject.scene),
                                             {.drawing = {.resolution = options.resolution},
-                                             .solver = {.residual = radiosity::defaultResidual(subject.scene)},
+                                             .isResidualDefault = true,
                                              .seen = surfacesSeen(options.camera, subject.scene, subject.camera)},
                                             hooks);
   console.endProgress();
