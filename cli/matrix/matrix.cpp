@@ -190,10 +190,11 @@ void smooth(const MatrixOptions& options, Context& context) {
   const Mesh mesh = meshOf(options.mesh, context.console);
   const std::size_t facets = mesh.facets.names.size();
   requireRows(options.matrix, matrix, facets);
+  Staging staging(Output{Output::Kind::File, options.output, "matrix smooth", context.inputs(mesh.scene.files)});
+  staging.requirePlaces({options.output.filename()});
   if (!reference::isMatrixFile(options.output))
     throw raster::InputError(options.output.string(), 0, "matrices are not written in this format",
                              "choose a name that ends in .npz, .mtx or .csv");
-  Staging staging(Output{Output::Kind::File, options.output, "matrix smooth", context.inputs(mesh.scene.files)});
   reference::MatrixHeading heading{reference::familiesAsReceivers(mesh.discretization, mesh.facets).area};
   heading.hasErrors = !matrix.error.empty();
   const std::unique_ptr<reference::RowSink> sink = reference::matrixSink(staging.file(), heading);

@@ -112,7 +112,7 @@ TEST_CASE("hemitex names the nearest option or command for an unknown one", "[cl
 TEST_CASE("hemitex COMMAND --help ends with two examples that the command accepts", "[cli]") {
   const ShellFiles shell;
   fs::create_directory_symlink(HEMITEX_DATA, shell.file("data"));
-  REQUIRE(shell.commands().size() == 23);
+  REQUIRE(shell.commands().size() == 24);
   for (const std::string& command : shell.commands()) {
     const std::vector<std::string> examples = examplesOf(shell.output(command + " --help"));
     INFO(command);
