@@ -8,8 +8,8 @@ namespace hemitex::radiosity {
 namespace {
 
 /// Distances are compared as squared distance * scale + index of the texel, so that no two texels are equally near. The
-/// scale is above all indices. The largest key, 2 * 4096^2 * scale, is below 2^50.
-constexpr std::int64_t scale = std::int64_t{1} << 24;
+/// scale is above all indices. The largest key, 2 * longestGridSide^2 * scale, is 2^61.
+constexpr std::int64_t scale = mostGridTexels;
 
 std::int64_t square(std::int64_t x) { return x * x; }
 
@@ -66,7 +66,8 @@ std::vector<int> nearestRows(int columns, int rows, const std::vector<bool>& cov
 }  // namespace
 
 std::vector<std::uint32_t> nearestCovered(int columns, int rows, const std::vector<bool>& covered) {
-  assert(columns <= 4096 && rows <= 4096 && std::find(covered.begin(), covered.end(), true) != covered.end());
+  assert(std::max(columns, rows) <= longestGridSide && covered.size() <= mostGridTexels);
+  assert(std::find(covered.begin(), covered.end(), true) != covered.end());
   const std::vector<int> nearestRow = nearestRows(columns, rows, covered);
   std::vector<std::uint32_t> nearest(covered.size());
   std::vector<Candidate> envelope;

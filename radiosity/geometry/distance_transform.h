@@ -7,7 +7,10 @@
 
 namespace hemitex::radiosity {
 
-/// Returns for each of columns x rows texels (row-major, at most 4096 x 4096) the covered texel with the nearest
+/// The most columns and rows of a grid, and the most texels.
+inline constexpr int longestGridSide = 1 << 18, mostGridTexels = 1 << 24;
+
+/// Returns for each of columns x rows texels (row-major, within the limits above) the covered texel with the nearest
 /// centre; of equals, the lowest number. At least one texel must be covered.
 std::vector<std::uint32_t> nearestCovered(int columns, int rows, const std::vector<bool>& covered);
 

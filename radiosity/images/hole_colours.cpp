@@ -26,7 +26,7 @@ bool isShown(const CutOut& cutOut, int width, int height, int column, int row) {
 /// Calls copy(to, from) for each pixel that is a hole with the nearest one that is none.
 template <typename AnyImage, typename Copy>
 void fill(const AnyImage& image, const CutOut& cutOut, const Copy& copy) {
-  if (image.sampler != cutOut.sampler) return;
+  if (image.sampler != cutOut.sampler || std::max(image.width, image.height) > longestGridSide) return;
   std::vector<bool> shown;
   for (int row = 0; row < image.height; ++row)
     for (int column = 0; column < image.width; ++column)

@@ -52,9 +52,25 @@ TEST_CASE("nearestCovered resolves ties of symmetric neighbours to the lowest te
   CHECK(nearest[18] == 19);
 }
 
-TEST_CASE("nearestCovered finds one covered texel in the corner of the largest grid", "[nearest]") {
-  std::vector<bool> covered(std::size_t{4096} * 4096);
+TEST_CASE("nearestCovered finds one covered texel in the corner of the largest grids", "[nearest]") {
+  const int columns = GENERATE(4096, 64, longestGridSide), rows = mostGridTexels / columns;
+  std::vector<bool> covered(mostGridTexels);
   covered.back() = true;
-  const std::vector<std::uint32_t> nearest = nearestCovered(4096, 4096, covered);
-  CHECK(std::all_of(nearest.begin(), nearest.end(), [](std::uint32_t n) { return n == 4096u * 4096u - 1; }));
+  const std::vector<std::uint32_t> nearest = nearestCovered(columns, rows, covered);
+  CHECK(std::all_of(nearest.begin(), nearest.end(), [](std::uint32_t n) { return n == mostGridTexels - 1; }));
+}
+
+TEST_CASE("nearestCovered compares the distances of the longest grids exactly", "[nearest]") {
+  // Two columns are covered in different rows; the border between them is where the distances are equal.
+  constexpr int rows = mostGridTexels / longestGridSide;
+  std::vector<bool> covered(mostGridTexels);
+  covered[0] = covered.back() = true;
+  const std::vector<std::uint32_t> nearest = nearestCovered(longestGridSide, rows, covered);
+  for (int row = 0; row < rows; ++row)
+    for (int column = longestGridSide / 2 - 100; column < longestGridSide / 2 + 100; ++column) {
+      const std::int64_t toFirst = std::int64_t{column} * column + row * row, right = longestGridSide - 1 - column,
+                         above = rows - 1 - row;
+      CHECK((nearest[std::size_t(row) * longestGridSide + std::size_t(column)] == 0) ==
+            (toFirst <= right * right + above * above));
+    }
 }
