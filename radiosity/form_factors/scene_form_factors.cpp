@@ -93,13 +93,14 @@ OutsideFlux SceneFormFactors::fluxFromOutside() {
 /// more of the scene than of what is outside is enclosed; its flux counts by the share that meets the scene.
 double SceneFormFactors::countedShare(const OutsideFlux& flux) {
   constexpr int samples = 64;
+  const double arrived = bandSum(sumOf(flux));
+  if (!(arrived > 0)) return leastCounted;  // no front sees anything outside
   const ElementMaterials materials(scene_, discretization_);
   std::vector<double> reflected(flux.received.size());
   for (std::uint32_t e = 0; e < reflected.size(); ++e) {
-    Bands sum(materials.bands());
-    addTo(sum, flux.received[e]);
-    const std::span<const double> reflectance = materials.reflectance(discretization_.elements[e].surface, e);
-    for (std::size_t band = 0; band < sum.size(); ++band) reflected[e] += sum[band] * reflectance[band];
+    const std::span<const double> received = flux.received[e],
+                                  reflectance = materials.reflectance(discretization_.elements[e].surface, e);
+    reflected[e] = std::inner_product(received.begin(), received.end(), reflectance.begin(), 0.0);
   }
   const double all = std::accumulate(reflected.begin(), reflected.end(), 0.0);
   double before = 0, counted = 0;
@@ -115,7 +116,7 @@ double SceneFormFactors::countedShare(const OutsideFlux& flux) {
     const double meeting = 1 - formFactor(row.background + row.back);
     if (meeting > 0.5) counted += meeting * (sample - first);
   }
-  return std::clamp(counted / samples * all / bandSum(sumOf(flux)), leastCounted, 1.0);
+  return std::clamp(counted / samples * all / arrived, leastCounted, 1.0);
 }
 
 OutsideFlux SceneFormFactors::outsideFlux() {

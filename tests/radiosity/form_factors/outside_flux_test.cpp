@@ -242,12 +242,11 @@ TEST_CASE("outsideFlux is empty without light from outside", "[outside_flux]") {
 
 TEST_CASE("Light from outside counts where it is enclosed", "[outside flux]") {
   // An open box with the opening at its top, and a roof over it that sees nothing but the sky.
-  const auto countedIn = [](bool hasBox, bool hasRoof) {
+  const auto countedIn = [](bool hasBox, bool hasRoof, bool isClosed = false) {
     std::vector<Surface> surfaces;
-    if (hasBox) {
-      surfaces = tests::box("wall", {0, 0, 0}, {1, 1, 1}, true);
+    if (hasBox) surfaces = tests::box("wall", {0, 0, 0}, {1, 1, 1}, true);
+    if (!isClosed)
       std::erase_if(surfaces, [](const Surface& surface) { return normal(surface.triangles[0]).z < -0.5; });
-    }
     if (hasRoof) surfaces.push_back(tests::parallelogram("roof", {-10, -10, 9}, {20, 0, 0}, {0, 20, 0}));
     const Scene scene = sceneWith(std::move(surfaces), sky(glm::dvec3(1)));
     Discretization discretization = discretize(scene, {.texels = 8});
@@ -260,4 +259,5 @@ TEST_CASE("Light from outside counts where it is enclosed", "[outside flux]") {
   CHECK(ofBox < 0.45);
   // The roof receives 400 times the light of the opening.
   CHECK(countedIn(true, true) == leastCounted);
+  CHECK(countedIn(true, false, true) == leastCounted);  // no light enters
 }
