@@ -21,8 +21,8 @@ std::uint32_t elementAt(const Scene& scene, const Discretization& discretization
 using ColourOf = std::function<glm::dvec3(const Visible&)>;
 
 /// A picture with 2 x 2 samples per pixel, averaged in linear light; 4 x 4 where the pixel, or it and one beside it,
-/// show several surfaces, a fold of one, or a part of one in front of another. Samples without a surface have the colour `background`. Throws InputError for sides above 2048
-/// pixels, and as cameraFace.
+/// show several surfaces, a fold of one, or a part of one in front of another. Samples without a
+/// surface have the colour `background`. Throws InputError for sides above 2048 pixels, and as cameraFace.
 Image drawPicture(const Scene& scene, const Camera& camera, int width, int height, const ColourOf& colourOf,
                   const glm::dvec3& background = glm::dvec3(0.0));
 

@@ -14,11 +14,11 @@
 ///
 /// The points of a triangle are random, one in each of its 4^k equal parts, or two of them in different quarters. Each
 /// facet has points of its own, so that no edge lies between the points of all. Points in one part of the triangle tell
-/// by their differences how uncertain the part is (collapsed strata: Cochran, Sampling Techniques, 1977, section 5A.12),
-/// and with the differences of all points, how fast this falls from parts to their quarters. The surroundings are what
-/// facets leave: the differences of the sum of all facets tell their error. Points are added until the estimated error
-/// of the row is small enough. It has what chance may hide from the points, too. At the end the shares are changed by
-/// their errors so that they sum to 1. No form factor is above U.
+/// by their differences how uncertain the part is (collapsed strata: Cochran, Sampling Techniques, 1977, section
+/// 5A.12), and with the differences of all points, how fast this falls from parts to their quarters. The surroundings
+/// are what facets leave: the differences of the sum of all facets tell their error. Points are added until the
+/// estimated error of the row is small enough. It has what chance may hide from the points, too. At the end the shares
+/// are changed by their errors so that they sum to 1. No form factor is above U.
 #pragma once
 
 #include <cstdint>
