@@ -20,6 +20,7 @@
 #include "reference/matrices/matrix_difference.h"
 #include "reference/matrices/matrix_files.h"
 #include "reference/matrices/matrix_judge.h"
+#include "reference/matrices/matrix_rows.h"
 #include "reference/matrices/smoothing.h"
 #include "reference/rows/scene_rows.h"
 
@@ -198,9 +199,9 @@ void smooth(const MatrixOptions& options, Context& context) {
   reference::MatrixHeading heading{reference::familiesAsReceivers(mesh.discretization, mesh.facets).area};
   heading.hasErrors = !matrix.error.empty();
   const std::unique_ptr<reference::RowSink> sink = reference::matrixSink(staging.file(), heading);
-  constexpr double standardErrors = 4, smallestLeak = 1e-6;
+  constexpr double smallestLeak = 1e-6;
   const std::vector<bool> isEnclosed = enclosedFacets(mesh);
-  reference::MatrixSmoother smoother(heading.area, standardErrors);
+  reference::MatrixSmoother smoother(heading.area, reference::maxStandardErrors);
   ordered_json leaks = ordered_json::array();
   for (std::size_t f = 0; f < facets; ++f) {
     const reference::SparseRow given = heading.area[f] > 0 ? matrix.row(f) : reference::SparseRow();
