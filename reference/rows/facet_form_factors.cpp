@@ -506,18 +506,11 @@ FacetFormFactors::FacetFormFactors(const radiosity::Scene& scene, const FacetRow
 FacetFormFactors::~FacetFormFactors() = default;
 
 SparseRow FacetFormFactors::row(std::uint32_t facet) {
-  std::unique_ptr<Worker> worker;
-  {
-    const std::lock_guard guard(mutex_);
-    if (!idle_.empty()) {
-      worker = std::move(idle_.back());
-      idle_.pop_back();
-    }
-  }
-  if (!worker) worker = std::make_unique<Worker>(scene_, shafts_, images_, layout_, settings_);
-  SparseRow row = worker->row(facet);
-  const std::lock_guard guard(mutex_);
-  idle_.push_back(std::move(worker));
+  SparseRow row;
+  workers_.with([&](std::unique_ptr<Worker>& worker) {
+    if (!worker) worker = std::make_unique<Worker>(scene_, shafts_, images_, layout_, settings_);
+    row = worker->row(facet);
+  });
   return row;
 }
 

@@ -23,12 +23,11 @@
 
 #include <cstdint>
 #include <memory>
-#include <mutex>
-#include <vector>
 
 #include "radiosity/discretization/discretization.h"
 #include "radiosity/index_maps/id_layout.h"
 #include "radiosity/scene/scene.h"
+#include "raster/base/pool.h"
 #include "reference/matrices/sparse_row.h"
 #include "reference/rows/free_shafts.h"
 
@@ -57,8 +56,7 @@ class FacetFormFactors {
   FreeShafts shafts_;
   radiosity::Discretization images_;  ///< elements are the facets at all instances, numbered instance by instance
   radiosity::IdLayout layout_;        ///< item IDs are the numbers of these elements
-  std::mutex mutex_;
-  std::vector<std::unique_ptr<Worker>> idle_;
+  raster::Pool<std::unique_ptr<Worker>> workers_;  ///< null until the first use
 };
 
 }  // namespace hemitex::reference

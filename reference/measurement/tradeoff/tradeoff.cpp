@@ -100,7 +100,7 @@ TradeMeasurement judge(const Discretization& fine, const TrueRadiosity& truth, c
   measurement.elementBytes = bytesOf(discretization);
   const std::vector<double> flux = patchFlux(fine, truth, discretization);
   measurement.rowError =
-      rowError(patchRows(timed.rows, discretization), patchRows(truth.matrix, fine, discretization), flux);
+      rowError(denseRows(timed.rows, discretization), denseRows(truth.matrix, fine, discretization), flux);
   measurement.radiosity = std::move(timed.light.solution.radiosity);
   return measurement;
 }
@@ -152,10 +152,10 @@ std::vector<TradeMeasurement> measureTradeoff(const Scene& scene, const Discreti
 }
 
 RowError trueRowError(const Discretization& fine, const TrueRadiosity& truth, const Discretization& discretization) {
-  const PatchRows truePatchRows = patchRows(truth.matrix, fine, discretization);
-  PatchRows moved = patchRows(truth.spread, fine, discretization);
-  for (std::size_t i = 0; i < moved.factors.size(); ++i) moved.factors[i] += truePatchRows.factors[i];
-  return rowError(moved, truePatchRows, patchFlux(fine, truth, discretization));
+  const DenseRows trueRows = denseRows(truth.matrix, fine, discretization);
+  DenseRows moved = denseRows(truth.spread, fine, discretization);
+  for (std::size_t i = 0; i < moved.factors.size(); ++i) moved.factors[i] += trueRows.factors[i];
+  return rowError(moved, trueRows, patchFlux(fine, truth, discretization));
 }
 
 }  // namespace hemitex::reference

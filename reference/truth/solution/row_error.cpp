@@ -8,11 +8,11 @@
 
 namespace hemitex::reference {
 
-PatchRows patchRows(const FormFactorMatrix& matrix, const radiosity::Discretization& fine,
+DenseRows denseRows(const FormFactorMatrix& matrix, const radiosity::Discretization& fine,
                     const radiosity::Discretization& coarse) {
   assert(matrix.size == fine.elements.size());
   const std::vector<std::uint32_t> under = elementsUnder(coarse, fine);
-  PatchRows rows{coarse.elements.size(), std::vector<double>(coarse.patches.list.size() * coarse.elements.size())};
+  DenseRows rows{coarse.elements.size(), std::vector<double>(coarse.patches.list.size() * coarse.elements.size())};
   std::vector<double> area(coarse.patches.list.size());
   for (std::size_t from = 0; from < matrix.size; ++from) {
     const std::uint32_t patch = coarse.patches.ofElement[under[from]];
@@ -28,10 +28,10 @@ PatchRows patchRows(const FormFactorMatrix& matrix, const radiosity::Discretizat
   return rows;
 }
 
-PatchRows patchRows(std::span<const std::optional<radiosity::FormFactorRow>> rows,
+DenseRows denseRows(std::span<const std::optional<radiosity::FormFactorRow>> rows,
                     const radiosity::Discretization& discretization) {
   const std::size_t elements = discretization.elements.size();
-  PatchRows result{elements, std::vector<double>(rows.size() * elements)};
+  DenseRows result{elements, std::vector<double>(rows.size() * elements)};
   for (std::size_t patch = 0; patch < rows.size(); ++patch) {
     if (!rows[patch]) continue;
     for (std::size_t i = 0; i < rows[patch]->elements.size(); ++i)
@@ -40,7 +40,7 @@ PatchRows patchRows(std::span<const std::optional<radiosity::FormFactorRow>> row
   return result;
 }
 
-RowError rowError(const PatchRows& found, const PatchRows& truth, std::span<const double> flux) {
+RowError rowError(const DenseRows& found, const DenseRows& truth, std::span<const double> flux) {
   assert(found.factors.size() == truth.factors.size() && truth.factors.size() == flux.size() * truth.elements);
   double shot = 0, arrived = 0, missed = 0, squares = 0, largest = 0;
   for (std::size_t patch = 0; patch < flux.size(); ++patch) {

@@ -13,18 +13,18 @@
 namespace hemitex::reference {
 
 /// Rows from each patch of a discretization to each element, row-major: factors[patch * elements + element].
-struct PatchRows {
+struct DenseRows {
   std::size_t elements = 0;
   std::vector<double> factors;
 };
 
 /// The rows of the patches of `coarse` from a matrix from element to element of `fine`: averages by area over shooting
 /// elements, sums over receiving elements (see elementsUnder).
-PatchRows patchRows(const FormFactorMatrix& matrix, const radiosity::Discretization& fine,
+DenseRows denseRows(const FormFactorMatrix& matrix, const radiosity::Discretization& fine,
                     const radiosity::Discretization& coarse);
 
 /// The rows of a method; zeros for patches without a row.
-PatchRows patchRows(std::span<const std::optional<radiosity::FormFactorRow>> rows,
+DenseRows denseRows(std::span<const std::optional<radiosity::FormFactorRow>> rows,
                     const radiosity::Discretization& discretization);
 
 /// Means are weighted with the flux that each patch shoots, so that rows without light do not count.
@@ -37,6 +37,6 @@ struct RowError {
 };
 
 /// `flux` is the flux that leaves each patch, at least 0.
-RowError rowError(const PatchRows& found, const PatchRows& truth, std::span<const double> flux);
+RowError rowError(const DenseRows& found, const DenseRows& truth, std::span<const double> flux);
 
 }  // namespace hemitex::reference

@@ -31,7 +31,7 @@ Scene litCube() {
 /// A method whose rows are those of the true matrix, times `factor`.
 TradeMethod rowsOfTruth(const TrueRadiosity& truth, const Discretization& fine, double factor) {
   const auto others = [&truth, &fine, factor](const radiosity::PatchRows&, const Scene&, const Discretization& own) {
-    const auto all = std::make_shared<PatchRows>(patchRows(truth.matrix, fine, own));
+    const auto all = std::make_shared<DenseRows>(denseRows(truth.matrix, fine, own));
     const auto rowOf = [all, factor](const radiosity::Patch& patch) {
       FormFactorRow row;
       row.background = radiosity::wholeShare;
