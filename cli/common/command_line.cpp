@@ -57,10 +57,10 @@ Option Command::addText(const std::string& name, const std::string& type, const 
 }
 
 Option Command::addTexts(const std::string& name, const std::string& type, const std::string& help,
-                         const std::function<void(const std::vector<std::string>&)>& read) const {
+                         const std::function<void(const std::string&)>& read) const {
   const auto readFull = [name, read](const std::vector<std::string>& texts) {
     for (const std::string& text : texts) refuseEmpty(name, text);
-    read(texts);
+    for (const std::string& text : texts) read(text);
   };
   CLI::Option* const option = app_->add_option_function<std::vector<std::string>>(name, readFull, help);
   // Each use of an option takes one value, so that a positional argument may follow.
@@ -92,9 +92,8 @@ Option Command::addPath(const std::string& name, std::filesystem::path& target, 
 
 Option Command::addPaths(const std::string& name, std::vector<std::filesystem::path>& targets,
                          const std::string& help) const {
-  const Option option = addTexts(name, "PATH", help, [&targets](const std::vector<std::string>& texts) {
-    targets.assign(texts.begin(), texts.end());
-  });
+  const Option option =
+      addTexts(name, "PATH", help, [&targets](const std::string& text) { targets.emplace_back(text); });
   paths_->read.push_back(app_->get_option(name));
   return option;
 }

@@ -66,9 +66,9 @@ class Command {
   /// if it is wrong. A name without a dash declares a positional argument.
   Option addText(const std::string& name, const std::string& type, const std::string& help,
                  const std::function<void(const std::string&)>& read) const;
-  /// Adds a repeatable option; `read` gets all values.
+  /// Adds a repeatable option; `read` gets each value.
   Option addTexts(const std::string& name, const std::string& type, const std::string& help,
-                  const std::function<void(const std::vector<std::string>&)>& read) const;
+                  const std::function<void(const std::string&)>& read) const;
   Option addText(const std::string& name, const std::string& type, const std::string& help, std::string& target) const;
   /// Adds an option for a file or folder that the command reads.
   Option addPath(const std::string& name, std::filesystem::path& target, const std::string& help,

@@ -57,7 +57,7 @@ void addFormFactors(Command program, Context& context) {
   rows.addTexts("--at", "x,y,z,nx,ny,nz",
                 "point with a normal that the form factors start from, on a surface or not; or a CSV file of such "
                 "points (repeatable). The share that leaves the scene is the sky view factor.",
-                [options](const std::vector<std::string>& texts) { options->at = texts; })
+                [options](const std::string& text) { options->at.push_back(text); })
       .excludes(all);
   rows.addFlag("--facets", options->facets,
                "make every face of the file a surface of one element, numbered from 0 (default for meshes without "
@@ -78,9 +78,8 @@ void addFormFactors(Command program, Context& context) {
                          "FILE.vtu")
           .needs(all);
   rows.addTexts("--row", "N", "also write the row of facet N into the file of --vtu (repeatable)",
-                [options](const std::vector<std::string>& texts) {
-                  for (const std::string& text : texts)
-                    options->vtuRows.push_back(integerOption("--row", text, 0, std::numeric_limits<int>::max()));
+                [options](const std::string& text) {
+                  options->vtuRows.push_back(integerOption("--row", text, 0, std::numeric_limits<int>::max()));
                 })
       .needs(vtu);
   const Command method = command.under("Form factors");

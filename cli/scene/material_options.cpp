@@ -30,9 +30,8 @@ NamedColor readColor(const std::string& option, const std::string& text) {
 }
 
 void addColors(Command command, const std::string& option, std::vector<NamedColor>& colors, const std::string& help) {
-  command.addTexts(option, "NAME=R,G,B", help, [&colors, option](const std::vector<std::string>& texts) {
-    for (const std::string& text : texts) colors.push_back(readColor(option, text));
-  });
+  command.addTexts(option, "NAME=R,G,B", help,
+                   [&colors, option](const std::string& text) { colors.push_back(readColor(option, text)); });
 }
 
 /// Reads an irradiance; throws a usage error.
@@ -135,15 +134,11 @@ void addMaterialOptions(Command command, MaterialOptions& options) {
   command.addTexts("--sun", "x,y,z=R,G,B",
                    "add parallel light from the direction x,y,z; R,G,B is the irradiance of a plane at right angles to "
                    "it, in W/m^2 (repeatable)",
-                   [&options](const std::vector<std::string>& texts) {
-                     for (const std::string& text : texts) options.suns.push_back(readSun(text));
-                   });
+                   [&options](const std::string& text) { options.suns.push_back(readSun(text)); });
   command.addTexts("--lamp", "x,y,z=R,G,B",
                    "add a lamp at the point x,y,z; R,G,B is its radiant intensity in W/sr, equal in all directions "
                    "(repeatable). `lamp-1`, `lamp-2`, ... are the names in edits.",
-                   [&options](const std::vector<std::string>& texts) {
-                     for (const std::string& text : texts) options.lamps.push_back(readLamp(text));
-                   });
+                   [&options](const std::string& text) { options.lamps.push_back(readLamp(text)); });
   command.addPath("--lights", "FILE.json",
                   R"(read emissions from a JSON object {"NAME": [R,G,B], ...}; see --emit. The names "sky" and "sun" )"
                   R"(mean --sky and --sun: {"sky": [R,G,B], "sun": {"towards": [x,y,z], "irradiance": [R,G,B]}})",

@@ -113,7 +113,7 @@ void addSceneOptions(Command command, SceneOptions& options) {
   addSides("--one-sided", radiosity::Sides::One, "leave the backs of all faces black").excludes(two);
   command.addTexts("--flip", "NAME",
                    "turn the faces of a surface or a group over, so that their backs are fronts (repeatable)",
-                   [&options](const std::vector<std::string>& names) { options.settings.flip = names; });
+                   [&options](const std::string& name) { options.settings.flip.push_back(name); });
   addChoice(command, "--emission", options.settings.emission, emissionChoices,
             "unit of Ke, --emit and --lights: radiosity in W/m^2, or radiance in W/(m^2 sr) (default radiosity)");
   addPositive(command.under("Light and reflectance"), "--lumens-per-watt", options.settings.lumensPerWatt,
@@ -180,16 +180,14 @@ void addDiscretizationOptions(Command command, radiosity::DiscretizationSettings
   addPositive(command, "--texel-size", settings.texelSize, std::numeric_limits<double>::infinity(),
               "divide surfaces into texels of this side, in units of the scene (default: see --texels)")
       .excludes(texels);
-  const auto readSurfaces = [&settings](const std::vector<std::string>& texts) {
-    for (const std::string& text : texts) {
-      const std::size_t equals = text.rfind('=');
-      if (equals == std::string::npos || equals == 0) usageError("--surface", "`" + text + "` is not NAME=N");
-      settings.surfaceTexels[text.substr(0, equals)] =
-          integerOption("--surface", text.substr(equals + 1), 1, largestTexels);
-    }
+  const auto readSurface = [&settings](const std::string& text) {
+    const std::size_t equals = text.rfind('=');
+    if (equals == std::string::npos || equals == 0) usageError("--surface", "`" + text + "` is not NAME=N");
+    settings.surfaceTexels[text.substr(0, equals)] =
+        integerOption("--surface", text.substr(equals + 1), 1, largestTexels);
   };
   command.addTexts("--surface", "NAME=N", "divide the surface NAME into N x N texels; 1 means one element (repeatable)",
-                   readSurfaces);
+                   readSurface);
   addInteger(command, "--patch", settings.patch, 1, largestTexels,
              "let N x N elements shoot light together as one patch (default 4)");
 }
@@ -263,9 +261,7 @@ Option addResolution(Command command, int& resolution) {
 }
 
 Option addResolutions(Command command, std::vector<int>& resolutions) {
-  const auto read = [&resolutions](const std::vector<std::string>& texts) {
-    for (const std::string& text : texts) resolutions.push_back(resolutionOption(text));
-  };
+  const auto read = [&resolutions](const std::string& text) { resolutions.push_back(resolutionOption(text)); };
   return command.addTexts(
       "--resolution", "R",
       "draw R x R pixels per face of the hemicube; an even number (repeatable; default 128, 256, 512 and 1024)", read);

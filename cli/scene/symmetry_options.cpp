@@ -28,9 +28,7 @@ void addSymmetryOptions(Command command, radiosity::Symmetry& symmetry) {
   command.addTexts("--mirror", "AXIS=N",
                    "the scene continues behind a mirror in the plane x=N, y=N or z=N; at most two planes across each "
                    "axis (repeatable)",
-                   [&symmetry](const std::vector<std::string>& texts) {
-                     for (const std::string& text : texts) readMirror(text, symmetry);
-                   });
+                   [&symmetry](const std::string& text) { readMirror(text, symmetry); });
   addVectorOption(command, "--periodic", symmetry.period,
                   "the scene is a box that is repeated with these lengths along x, y and z; 0 means not repeated");
   addInteger(command, "--repeats", symmetry.repeats, 1, 1000,

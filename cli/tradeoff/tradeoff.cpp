@@ -194,7 +194,7 @@ void addTradeoff(Command program, Context& context) {
       "--patch", "N,N,...",
       "let N x N elements shoot as one patch, for each N; all settings are measured with the first N (default 4,1,2,8)",
       readPatches);
-  const auto readMethods = [options](const std::vector<std::string>& texts) { options->methodTexts = texts; };
+  const auto readMethods = [options](const std::string& text) { options->methodTexts.push_back(text); };
   what.addTexts("--method", "NAME[=N,...]",
                 "measure this method, at these resolutions or numbers of rays (repeatable; default: all methods)",
                 readMethods);
