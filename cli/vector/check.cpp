@@ -4,7 +4,6 @@
 
 #include "cli/common/commands.h"
 #include "cli/vector/judging.h"
-#include "raster/base/input_error.h"
 #include "reference/conformance/verdict/reduction.h"
 
 namespace hemitex::cli {
@@ -17,9 +16,7 @@ struct CheckOptions {
 
 void check(const CheckOptions& options, Context& context) {
   const Suite suite = readSuite(options.judging);
-  if (!std::filesystem::is_directory(options.candidate))
-    throw raster::InputError(options.candidate.string(), 0, "is not a folder",
-                             "name the folder with the device's item IDs");
+  requireCandidate(options.candidate);
   JudgingFiles files(options.judging, context);
   const reference::DeviceProfile profile = profileOf(options.judging);
   auto reports = makeAll<reference::Report>(suite.vectors.size(), [&](std::size_t k) {

@@ -313,6 +313,11 @@ Suite readSuite(const JudgingOptions& options) {
   return suite;
 }
 
+void requireCandidate(const fs::path& folder) {
+  if (!fs::is_directory(folder))
+    throw raster::InputError(folder.string(), 0, "is not a folder", "name the folder with the device's item IDs");
+}
+
 fs::path answerFolder(const Suite& suite, const SuiteVector& vector, const fs::path& candidate) {
   return suite.isSingle ? candidate : candidate / vector.name;
 }

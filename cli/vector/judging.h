@@ -63,6 +63,9 @@ struct Suite {
 /// beside it. Throws InputError for a folder or a shard without vectors and for wrong expectations.
 Suite readSuite(const JudgingOptions& options);
 
+/// Throws InputError unless the folder with a device's item IDs is one.
+void requireCandidate(const std::filesystem::path& folder);
+
 /// The folder of a device's item IDs for a vector.
 std::filesystem::path answerFolder(const Suite& suite, const SuiteVector& vector,
                                    const std::filesystem::path& candidate);

@@ -7,7 +7,6 @@
 #include "cli/common/commands.h"
 #include "cli/common/json.h"
 #include "cli/vector/judging.h"
-#include "raster/base/input_error.h"
 #include "reference/conformance/records/conformance_record.h"
 
 namespace hemitex::cli {
@@ -83,9 +82,7 @@ void print(const reference::RecordFile& file, const Verification& result) {
 
 void verify(const VerifyOptions& options, Context& context) {
   const reference::RecordFile file = reference::readRecord(options.record);
-  if (!options.candidate.empty() && !fs::is_directory(options.candidate))
-    throw raster::InputError(options.candidate.string(), 0, "is not a folder",
-                             "name the folder with the device's item IDs");
+  if (!options.candidate.empty()) requireCandidate(options.candidate);
   JudgingOptions judging;
   judging.suite = options.suite;
   const Verification result = verifyRecord(options, file, readSuite(judging));

@@ -53,46 +53,36 @@ struct WatchOptions {
 
 bool isStopping() { return LongRun::isStopping(); }
 
-/// The files of a scene, as they were at one time.
-class WatchedFiles {
- public:
-  WatchedFiles() = default;
-  /// A file may be missing; it changes when it appears.
-  explicit WatchedFiles(const std::set<fs::path>& files) {
-    for (const fs::path& file : files) {
-      std::error_code isMissing;
-      const auto time = fs::last_write_time(file, isMissing);
-      const std::uintmax_t size = fs::file_size(file, isMissing);
-      states_[file] = isMissing ? State() : State(time, size);
-    }
-  }
+/// The time of the last change and the size of files at one time. A file may be missing; it changes when it appears.
+using FileStates = std::map<fs::path, std::pair<fs::file_time_type, std::uintmax_t>>;
 
-  /// Waits until a file has changed and none has changed for 40 ms since, so that a program has probably written all of
-  /// them. Returns a changed file; nothing after a signal.
-  std::optional<fs::path> awaitChange() const {
-    constexpr std::chrono::milliseconds interval{20};
-    constexpr int quietIntervals = 2;
-    std::set<fs::path> files;
-    for (const auto& [file, state] : states_) files.insert(file);
-    std::map<fs::path, State> last = states_;
-    int quiet = 0;
-    while (!isStopping()) {
-      std::this_thread::sleep_for(interval);
-      std::map<fs::path, State> now = WatchedFiles(files).states_;
-      quiet = now == last ? quiet + 1 : 0;
-      last = std::move(now);
-      if (quiet < quietIntervals) continue;
-      for (const auto& [file, state] : last)
-        if (state != states_.at(file)) return file;
-    }
-    return std::nullopt;
+void lookAt(FileStates& files) {
+  for (auto& [file, state] : files) {
+    std::error_code isMissing;
+    state.first = fs::last_write_time(file, isMissing);
+    state.second = fs::file_size(file, isMissing);
+    if (isMissing) state = {};
   }
+}
 
- private:
-  /// The time of the last change and the size.
-  using State = std::pair<fs::file_time_type, std::uintmax_t>;
-  std::map<fs::path, State> states_;
-};
+/// Waits until a file has changed and none has changed for 40 ms since, so that a program has probably written all of
+/// them. Returns a changed file; nothing after a signal.
+std::optional<fs::path> awaitChange(const FileStates& before) {
+  constexpr std::chrono::milliseconds interval{20};
+  constexpr int quietIntervals = 2;
+  FileStates now = before;
+  int quiet = 0;
+  while (!isStopping()) {
+    std::this_thread::sleep_for(interval);
+    const FileStates last = now;
+    lookAt(now);
+    quiet = now == last ? quiet + 1 : 0;
+    if (quiet < quietIntervals) continue;
+    for (const auto& [file, state] : now)
+      if (state != before.at(file)) return file;
+  }
+  return std::nullopt;
+}
 
 /// What a change of the files led to.
 struct Round {
@@ -120,16 +110,14 @@ class WatchedSolution {
       : asked_(asked), options_(asked), inputs_(inputs), console_(console) {}
 
   /// The files that were read, or that could be, as they were then.
-  const WatchedFiles& files() const { return watched_; }
+  const FileStates& files() const { return files_; }
 
   /// Reads the scene and updates the folder. Throws InputError if the scene is at fault; then the folder stays as it
   /// was. Writes nothing after a signal.
   Round follow() {
-    files_.insert({asked_.scene.file, viewFileOf(asked_.scene.file)});
-    watched_ = WatchedFiles(files_);  // of the last scene, in case that this one cannot be read
+    watchFiles({asked_.scene.file, viewFileOf(asked_.scene.file)});  // in case that the scene cannot be read
     radiosity::Scene scene = loadedScene(asked_);
-    files_.insert(scene.files.begin(), scene.files.end());
-    watched_ = WatchedFiles(files_);
+    watchFiles(scene.files);
     tellNew(scene.warnings);
     requireLight(scene, asked_.scene.file, ", or --sky 1,1,1 for light from outside");
     camera_ = cameraOf(asked_.camera, scene, asked_.scene.file);
@@ -159,6 +147,12 @@ class WatchedSolution {
   }
 
  private:
+  /// Adds files, and looks at all.
+  void watchFiles(const std::vector<fs::path>& files) {
+    for (const fs::path& file : files) files_[file];
+    lookAt(files_);
+  }
+
   void tellNew(const std::vector<std::string>& warnings) {
     const std::vector<std::string> given = console_.given();
     for (const std::string& warning : warnings)
@@ -187,7 +181,7 @@ class WatchedSolution {
 
   Output output() const {
     Output output{.place = asked_.output, .writer = solveWriter, .inputs = inputs_};
-    output.inputs.insert(files_.begin(), files_.end());
+    for (const auto& [file, state] : files_) output.inputs.insert(file);
     return output;
   }
 
@@ -222,8 +216,7 @@ class WatchedSolution {
   SolveOptions asked_, options_;  ///< as given; and with chosen settings and the exposure of the last new solution
   std::set<fs::path> inputs_;
   Console& console_;
-  std::set<fs::path> files_;
-  WatchedFiles watched_;
+  FileStates files_;
   std::string version_;
   radiosity::Camera camera_;
   Convergence convergence_;
@@ -273,7 +266,7 @@ void watch(const WatchOptions& options, Context& context) {
   const fs::path page = options.solve.output / pageName;
   if (options.view) openInBrowser(page, context.console);
   context.console.message("the page is " + page.string() + "; waiting for changes, Ctrl-C ends");
-  while (const std::optional<fs::path> changed = solution.files().awaitChange()) {
+  while (const std::optional<fs::path> changed = awaitChange(solution.files())) {
     followChange(solution, *changed, context);
     if (isStopping()) break;
   }
