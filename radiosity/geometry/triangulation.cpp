@@ -42,14 +42,6 @@ int turn(const Outline& outline, std::uint32_t a, std::uint32_t b, std::uint32_t
   return doubledArea > 0 ? 1 : -1;
 }
 
-glm::dvec3 newellNormal(std::span<const glm::dvec3> polygon) {
-  glm::dvec3 sum(0.0);
-  for (std::size_t i = 1; i + 1 < polygon.size(); ++i) {
-    sum += glm::cross(polygon[i] - polygon[0], polygon[i + 1] - polygon[0]);
-  }
-  return sum;
-}
-
 /// The polygon projected along `normal`, which is not zero.
 Outline projected(std::span<const glm::dvec3> polygon, const glm::dvec3& normal) {
   const glm::dvec3 n = normal / glm::length(normal);
@@ -214,6 +206,13 @@ class EarClipper {
 };
 
 }  // namespace
+
+glm::dvec3 newellNormal(std::span<const glm::dvec3> polygon) {
+  glm::dvec3 sum(0.0);
+  for (std::size_t i = 2; i < polygon.size(); ++i)
+    sum += glm::cross(polygon[i - 1] - polygon[0], polygon[i] - polygon[0]);
+  return sum;
+}
 
 bool hasArea(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
   const glm::dvec3 ab = b - a, ac = c - a, bc = c - b;

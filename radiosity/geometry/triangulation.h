@@ -19,6 +19,9 @@ namespace hemitex::radiosity {
 /// noise is four epsilons (2^-50 in total) of the largest absolute coordinate.
 bool hasArea(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c);
 
+/// A normal of a polygon by Newell's method, whose length is twice its area.
+glm::dvec3 newellNormal(std::span<const glm::dvec3> polygon);
+
 struct Triangulation {
   /// Corners of the polygon, counted from 0; two triangles less than corners. Some triangles may have no area.
   std::vector<std::array<std::uint32_t, 3>> triangles;

@@ -50,6 +50,14 @@ void addSorted(Costs& costs, const FormFactorMatrix& given, const FormFactorMatr
   });
 }
 
+/// The facets, those of the smallest keys first.
+std::vector<std::uint32_t> ascending(const std::vector<double>& keys) {
+  std::vector<std::uint32_t> facets(keys.size());
+  std::iota(facets.begin(), facets.end(), 0U);
+  std::stable_sort(facets.begin(), facets.end(), [&](auto a, auto b) { return keys[a] < keys[b]; });
+  return facets;
+}
+
 /// Gives each facet the free one of the smallest cost, the most certain facets first.
 Order assigned(const Costs& costs) {
   const std::size_t size = costs.size;
@@ -57,12 +65,9 @@ Order assigned(const Costs& costs) {
   std::vector<double> smallest(size);
   for (std::size_t i = 0; i < size; ++i)
     smallest[i] = *std::min_element(row(i), row(i) + static_cast<std::ptrdiff_t>(size));
-  std::vector<std::uint32_t> facets(size);
-  std::iota(facets.begin(), facets.end(), 0U);
-  std::stable_sort(facets.begin(), facets.end(), [&](auto a, auto b) { return smallest[a] < smallest[b]; });
   Order order(size);
   std::vector<bool> isTaken(size);
-  for (const std::uint32_t i : facets) {
+  for (const std::uint32_t i : ascending(smallest)) {
     std::size_t best = size;
     for (std::size_t p = 0; p < size; ++p)
       if (!isTaken[p] && (best == size || costs.at(i, p) < costs.at(i, best))) best = p;
@@ -115,19 +120,15 @@ std::optional<Order> facetOrder(const FormFactorMatrix& given, const FormFactorM
   addSorted(alone, ofGiven.columns, ofTruth.columns);
 
   // Facets that exchange the most say the most of others.
-  std::vector<double> exchange(size);
+  std::vector<double> exchange(size);  // below 0, so that the largest come first
   for (std::size_t i = 0; i < size; ++i)
-    for (std::size_t j = 0; j < size; ++j) exchange[i] += truth.at(i, j) + truth.at(j, i);
-  std::vector<std::uint32_t> known(size);
-  std::iota(known.begin(), known.end(), 0U);
-  std::stable_sort(known.begin(), known.end(), [&](auto a, auto b) { return exchange[a] > exchange[b]; });
+    for (std::size_t j = 0; j < size; ++j) exchange[i] -= truth.at(i, j) + truth.at(j, i);
+  std::vector<std::uint32_t> known = ascending(exchange);
   const std::uint32_t first = known.front();
   known.resize(std::min(size, maxKnown));
 
-  std::vector<std::uint32_t> candidates(size);
-  std::iota(candidates.begin(), candidates.end(), 0U);
-  std::stable_sort(candidates.begin(), candidates.end(),
-                   [&](auto a, auto b) { return alone.at(first, a) < alone.at(first, b); });
+  const auto ofFirst = alone.factors.begin() + static_cast<std::ptrdiff_t>(first * size);
+  std::vector<std::uint32_t> candidates = ascending({ofFirst, ofFirst + static_cast<std::ptrdiff_t>(size)});
   candidates.resize(std::min<std::size_t>(size, maxTries));
   Order best;
   double smallest = enough;

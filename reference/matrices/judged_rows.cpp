@@ -72,12 +72,8 @@ void joinPlaces(const JudgedMatrix& matrix, std::vector<JudgedEntry>& to) {
 /// What the rays measured and what closed forms allow.
 JudgedRow trueRow(const JudgedMatrix& matrix, const TrueRow& measured, const std::vector<ConvexPolygons>& polygons) {
   const radiosity::Scene& scene = matrix.mesh.scene;
-  JudgedRow row{.surface = measured.surface,
-                .to = std::vector<JudgedEntry>(scene.surfaces.size()),
-                .sums = {},
-                .sumError = measured.sumError,
-                .trueSum = measured.sum,
-                .outside = measured.outside};
+  JudgedRow row{measured};
+  row.to.resize(scene.surfaces.size());
   raster::parallelFor(row.to.size(), [&](std::size_t s) {
     row.to[s].truth = measured.factor[s];
     row.to[s].measured = measured.error[s];

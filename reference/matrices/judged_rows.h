@@ -83,14 +83,10 @@ struct RowSums {
 };
 
 /// A row of the matrix; or a column, in the light that the facet receives over that which it would send.
-struct JudgedRow {
-  std::uint32_t surface = 0;
+struct JudgedRow : TrueRow {
   bool isColumn = false;
-  std::vector<JudgedEntry> to;  ///< per surface
-  RowSums sums;
-  double sumError = 0;  ///< of the true sum
-  double trueSum = 0;   ///< over all surfaces
-  std::array<Measurement, 2> outside{};
+  std::vector<JudgedEntry> to = {};  ///< per surface
+  RowSums sums = {};
 };
 
 struct JudgedRows {

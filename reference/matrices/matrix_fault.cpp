@@ -148,7 +148,7 @@ class FaultSearch {
     });
     considerPredicted(
         "rows are normalized to 1, although light leaves the mesh",
-        [&](const JudgedRow& row, std::uint32_t to) { return row.trueSum > 0 ? row.to[to].truth / row.trueSum : 0.0; });
+        [&](const JudgedRow& row, std::uint32_t to) { return row.sum > 0 ? row.to[to].truth / row.sum : 0.0; });
     considerCovered();
     const std::vector<std::vector<bool>> sees = centresThatSee();
     considerPredicted("partly hidden pairs are decided by their centres", [&](const JudgedRow& row, std::uint32_t to) {

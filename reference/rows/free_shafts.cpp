@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "radiosity/geometry/convex_part.h"
+#include "radiosity/geometry/triangulation.h"
 
 namespace hemitex::reference {
 namespace {
@@ -19,12 +20,7 @@ constexpr double slack = 1e-10;
 
 using Corners = std::span<const glm::dvec3>;
 
-glm::dvec3 normalOf(Corners polygon) {
-  glm::dvec3 sum(0);
-  for (std::size_t k = 2; k < polygon.size(); ++k)
-    sum += glm::cross(polygon[k - 1] - polygon[0], polygon[k] - polygon[0]);
-  return glm::normalize(sum);
-}
+glm::dvec3 normalOf(Corners polygon) { return glm::normalize(radiosity::newellNormal(polygon)); }
 
 glm::dvec3 middleOf(Corners polygon) {
   glm::dvec3 sum(0);

@@ -7,6 +7,8 @@
 #include <optional>
 #include <utility>
 
+#include "radiosity/geometry/triangulation.h"
+
 namespace hemitex::reference {
 namespace {
 
@@ -16,10 +18,7 @@ constexpr double areaTolerance = 1e-11;   // relative
 using Outline = std::vector<glm::dvec3>;
 
 double areaOf(const Outline& corner, const glm::dvec3& normal) {
-  glm::dvec3 doubled(0);
-  for (std::size_t i = 2; i < corner.size(); ++i)
-    doubled += glm::cross(corner[i - 1] - corner[0], corner[i] - corner[0]);
-  return glm::dot(doubled, normal) / 2;
+  return glm::dot(radiosity::newellNormal(corner), normal) / 2;
 }
 
 /// Corners that are equal up to rounding nearly always have one key. Where they have two, the outline is not closed and

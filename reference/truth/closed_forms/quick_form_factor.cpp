@@ -6,6 +6,7 @@
 #include <span>
 
 #include "radiosity/geometry/convex_part.h"
+#include "radiosity/geometry/triangulation.h"
 #include "reference/truth/closed_forms/polygon_to_polygon.h"
 
 namespace hemitex::reference {
@@ -15,12 +16,7 @@ using radiosity::ConvexPart;
 using radiosity::fromPoint;
 using radiosity::inFrontOf;
 
-glm::dvec3 areaVector(std::span<const glm::dvec3> polygon) {
-  glm::dvec3 sum(0);
-  for (std::size_t k = 2; k < polygon.size(); ++k)
-    sum += glm::cross(polygon[k - 1] - polygon[0], polygon[k] - polygon[0]);
-  return 0.5 * sum;
-}
+glm::dvec3 areaVector(std::span<const glm::dvec3> polygon) { return 0.5 * radiosity::newellNormal(polygon); }
 
 glm::dvec3 middleOf(const ConvexPart& part) {
   glm::dvec3 sum(0);

@@ -1,5 +1,6 @@
 #include "reference/truth/closed_forms/scene_form_factors.h"
 
+#include "radiosity/geometry/triangulation.h"
 #include "raster/base/parallel.h"
 #include "reference/truth/closed_forms/polygon_to_polygon.h"
 
@@ -12,12 +13,7 @@ constexpr double minArea = 1e-17;
 /// Of the form factor between two pieces, if it is more than the relative error of polygonToPolygon.
 constexpr double maxError = 1e-14;
 
-double areaOf(const SurfacePiece& piece) {
-  glm::dvec3 doubled(0);
-  for (std::size_t i = 2; i < piece.corner.size(); ++i)
-    doubled += glm::cross(piece.corner[i - 1] - piece.corner[0], piece.corner[i] - piece.corner[0]);
-  return glm::dot(doubled, piece.normal) / 2;
-}
+double areaOf(const SurfacePiece& piece) { return glm::dot(radiosity::newellNormal(piece.corner), piece.normal) / 2; }
 
 struct ShootingPiece {
   const SurfacePiece* piece;
