@@ -157,6 +157,11 @@ bool areIndistinct(const Case& given, const Match& best, const Match& other) {
   return lead * lead <= 4 * static_cast<double>(onlyBest + onlyOther);
 }
 
+/// Of a suspect or an effect.
+Finding findingOf(const auto& changed, const Match& match) {
+  return {changed.fault->name, changed.variant->name, match.agreement, changed.fault->advice};
+}
+
 // --- two faults at once ---
 
 /// A variant with an effect on the vector, the list that it draws if it is another one, and its item buffers.
@@ -282,9 +287,6 @@ std::vector<PairFinding> diagnosePairs(const TestVector& vector, const Verdict& 
                    [](const PairSuspect& a, const PairSuspect& b) { return a.match.exact > b.match.exact; });
   std::vector<PairFinding> findings;
   std::set<std::set<std::string>> named;
-  const auto findingOf = [](const Effect& effect, const Match& match) {
-    return Finding{effect.fault->name, effect.variant->name, match.agreement, effect.fault->advice};
-  };
   for (const PairSuspect& suspect : suspects) {
     if (!areIndistinct(given, suspects.front().match, suspect.match) && !findings.empty()) continue;
     if (!named.insert({suspect.first->fault->name, suspect.second->fault->name}).second) continue;
@@ -313,8 +315,7 @@ Diagnosis diagnoseAll(const TestVector& vector, const Verdict& verdict) {
     if (!best) best = &suspect;
     if (!areIndistinct(given, best->match, suspect.match) && best != &suspect) continue;
     named.push_back(suspect.fault);
-    diagnosis.findings.push_back(
-        {suspect.fault->name, suspect.variant->name, suspect.match.agreement, suspect.fault->advice});
+    diagnosis.findings.push_back(findingOf(suspect, suspect.match));
   }
   return diagnosis;
 }

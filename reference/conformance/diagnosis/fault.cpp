@@ -10,6 +10,12 @@ Variant turnedInMirroredViews(const std::string& name) {
           })};
 }
 
+StagedDevice withIds(const IdChange& change) {
+  return withReadBack([=](const raster::Face&, raster::ItemBuffer& buffer) {
+    for (raster::ItemId& id : buffer.ids) id = change(id);
+  });
+}
+
 std::vector<Fault> knownFaults(const TestVector& vector) {
   std::vector<Fault> faults;
   for (const auto& theme :

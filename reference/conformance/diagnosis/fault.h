@@ -5,6 +5,7 @@
 /// fault has a *variant* for each common case.
 #pragma once
 
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -27,6 +28,11 @@ struct Fault {
   std::string advice;  ///< one line: where to look
   std::vector<Variant> variants;
 };
+
+using IdChange = std::function<raster::ItemId(raster::ItemId)>;
+
+/// A device that changes each item ID when it is read back.
+StagedDevice withIds(const IdChange& change);
 
 /// All known faults, in a fixed order, with the variants that the vector's faces and item ID format allow.
 std::vector<Fault> knownFaults(const TestVector& vector);

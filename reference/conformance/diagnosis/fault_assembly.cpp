@@ -42,14 +42,18 @@ DrawList renumbered(const DrawList& list, const std::function<ItemId(std::size_t
   return result;
 }
 
-/// Triangle t of assembled draw d has the offset of another draw. Of pairs, only those of draws have a number.
+/// The value of a triangle of an assembled draw. Of pairs, only those of draws have a number.
+ItemId numberIn(const DrawList& source, const raster::Draw& draw, std::uint32_t number) {
+  const bool isPair = source.value != PixelValue::Pairs || 3 * number < draw.count;
+  return isPair ? draw.offset + number : 0xfffffffe;
+}
+
+/// Triangle t of assembled draw d has the offset of another draw.
 Variant withOffsetsOf(const std::string& name, std::size_t shift) {
   const auto assemble = [=](const DrawList& source) {
     const DrawList list = raster::assembled(source);
     return renumbered(list, [&](std::size_t d, std::uint32_t t) {
-      const raster::Draw& other = list.draws[(d + shift) % list.draws.size()];
-      const bool isPair = source.value != PixelValue::Pairs || 3 * t < other.count;
-      return isPair ? other.offset + t : 0xfffffffe;
+      return numberIn(source, list.draws[(d + shift) % list.draws.size()], t);
     });
   };
   return {name, withStage(&StagedDevice::assemble, assemble)};
@@ -61,11 +65,8 @@ Variant countingOn() {
     const DrawList list = raster::assembled(source);
     std::vector<std::uint32_t> before{0};
     for (const raster::Draw& draw : list.draws) before.push_back(before.back() + draw.count / 3);
-    return renumbered(list, [&](std::size_t d, std::uint32_t t) {
-      const std::uint32_t number = before[d] + t;
-      const bool isPair = source.value != PixelValue::Pairs || 3 * number < list.draws[d].count;
-      return isPair ? list.draws[d].offset + number : 0xfffffffe;
-    });
+    return renumbered(list,
+                      [&](std::size_t d, std::uint32_t t) { return numberIn(source, list.draws[d], before[d] + t); });
   };
   return {"counted on from draw to draw", withStage(&StagedDevice::assemble, assemble)};
 }
@@ -101,9 +102,7 @@ Variant numberedAfterRestarts(const std::string& name, bool startsAgain) {
     return renumbered(list, [&](std::size_t d, std::uint32_t t) {
       const raster::Draw& draw = source.draws[d];
       if (!draw.restarts) return list.draws[d].offset + t;
-      const std::uint32_t number = numbersAfterRestarts(source, draw, startsAgain)[t];
-      const bool isPair = source.value != PixelValue::Pairs || 3 * number < list.draws[d].count;
-      return isPair ? list.draws[d].offset + number : 0xfffffffe;
+      return numberIn(source, list.draws[d], numbersAfterRestarts(source, draw, startsAgain)[t]);
     });
   };
   return {name, withStage(&StagedDevice::assemble, assemble)};

@@ -188,26 +188,18 @@ std::vector<FogRange> fogRanges(const std::vector<FogSample>& samples, bool isLi
 
 // --- item IDs and pixels ---
 
-using IdChange = std::function<ItemId(ItemId)>;
-
-Variant withIds(const std::string& name, const IdChange& change) {
-  return {name, withReadBack([=](const raster::Face&, raster::ItemBuffer& buffer) {
-            for (ItemId& id : buffer.ids) id = change(id);
-          })};
-}
-
 std::vector<Variant> plusOne(const raster::IdFormat& format) {
   const ItemId background = raster::backgroundId(format);
-  return {withIds("all pixels", [=](ItemId id) { return (id + 1) & background; }),
-          withIds("all but the background", [=](ItemId id) { return id == background ? id : id + 1; })};
+  return {{"all pixels", withIds([=](ItemId id) { return (id + 1) & background; })},
+          {"all but the background", withIds([=](ItemId id) { return id == background ? id : id + 1; })}};
 }
 
 std::vector<Variant> signedIds(const raster::IdFormat& format) {
   if (raster::idBits(format) < 32) return {};
   constexpr ItemId largest = 0x7fffffff;
-  return {withIds("clamped to 2^31 - 1", [=](ItemId id) { return std::min(id, largest); }),
-          withIds("negative ones as 0", [](ItemId id) { return id > largest ? 0 : id; }),
-          withIds("without the sign", [](ItemId id) { return id & largest; })};
+  return {{"clamped to 2^31 - 1", withIds([=](ItemId id) { return std::min(id, largest); })},
+          {"negative ones as 0", withIds([](ItemId id) { return id > largest ? 0 : id; })},
+          {"without the sign", withIds([](ItemId id) { return id & largest; })}};
 }
 
 /// Square tiles that follow each other in memory, read as rows. Pictures of other sizes stay.
@@ -249,7 +241,9 @@ std::vector<Fault> drawFaults(const TestVector& vector) {
       {"item IDs one too large",
        "0 is an item ID, and the background is all ones: undo an ID + 1 that was to mark the background",
        plusOne(format)},
-      {"item ID 0 taken for nothing", "0 is an item ID, and the background is all ones", {withIds("", zeroAsNothing)}},
+      {"item ID 0 taken for nothing",
+       "0 is an item ID, and the background is all ones",
+       {{"", withIds(zeroAsNothing)}}},
       {"item IDs through signed integers", "item IDs are unsigned: ask for unsigned formats, and read them as such",
        signedIds(format)},
       {"tiled memory read as rows", "copy the picture to linear memory before it is read", tiledPictures()}};

@@ -12,7 +12,6 @@ namespace {
 
 using raster::DrawList;
 using raster::ItemId;
-using IdChange = std::function<ItemId(ItemId)>;
 
 StagedDevice withTexels(const IdChange& change) {
   return withStage(&StagedDevice::upload, [=](DrawList& list) {
@@ -28,12 +27,6 @@ StagedDevice withOffsets(const IdChange& change) {
       draw.offset = change(draw.offset);
       if (draw.back) draw.back = change(*draw.back);
     }
-  });
-}
-
-StagedDevice withIds(const IdChange& change) {
-  return withReadBack([=](const raster::Face&, raster::ItemBuffer& buffer) {
-    for (ItemId& id : buffer.ids) id = change(id);
   });
 }
 

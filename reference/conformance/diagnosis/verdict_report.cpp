@@ -4,6 +4,7 @@
 #include <array>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <utility>
 
 #include "reference/base/markup_text.h"
@@ -155,6 +156,16 @@ std::string testSuite(const Report& report, bool isStrict) {
          "\" failures=\"" + count("failure") + "\"" + skipped + ">\n" + text + "  </testsuite>\n";
 }
 
+bool isExplaining(const Report& report, const std::string& fault) {
+  return std::find(report.explaining.begin(), report.explaining.end(), fault) != report.explaining.end();
+}
+
+/// The number of vectors with errors.
+std::size_t failuresOf(std::span<const Report> reports) {
+  return static_cast<std::size_t>(
+      std::count_if(reports.begin(), reports.end(), [](const Report& report) { return hasErrors(report.verdict); }));
+}
+
 }  // namespace
 
 Report reportOn(const TestVector& vector, std::span<const raster::ItemBuffer> found, const DeviceProfile& profile,
@@ -213,32 +224,21 @@ VerdictCounts countVerdicts(std::span<const Report> reports) {
 }
 
 std::optional<CommonFault> commonFault(std::span<const Report> reports) {
-  std::vector<CommonFault> faults;
-  const auto isKnown = [&](const Finding& finding) {
-    return std::any_of(faults.begin(), faults.end(),
-                       [&](const CommonFault& common) { return common.finding.fault == finding.fault; });
-  };
-  std::size_t failures = 0;
-  for (const Report& report : reports) {
-    failures += hasErrors(report.verdict);
-    for (const Finding& finding : report.findings)
-      if (!isKnown(finding)) faults.push_back({finding, 0, 0});
-  }
-  for (CommonFault& common : faults) {
-    const auto isNamedIn = [&](const Report& report) {
-      const std::string& fault = common.finding.fault;
-      return std::find(report.explaining.begin(), report.explaining.end(), fault) != report.explaining.end() ||
-             std::any_of(report.findings.begin(), report.findings.end(),
-                         [&](const Finding& finding) { return finding.fault == fault; });
-    };
-    common.failures = failures;
-    common.vectors = static_cast<std::size_t>(std::count_if(reports.begin(), reports.end(), isNamedIn));
-  }
-  if (faults.empty()) return {};
-  const CommonFault common = *std::max_element(
-      faults.begin(), faults.end(), [](const CommonFault& a, const CommonFault& b) { return a.vectors < b.vectors; });
-  if (20 * common.vectors < failures) return {};
-  return common;
+  std::optional<CommonFault> best;
+  std::set<std::string> known;
+  for (const Report& report : reports)
+    for (const Finding& finding : report.findings) {
+      if (!known.insert(finding.fault).second) continue;
+      const auto isNamedIn = [&](const Report& other) {
+        return isExplaining(other, finding.fault) ||
+               std::any_of(other.findings.begin(), other.findings.end(),
+                           [&](const Finding& found) { return found.fault == finding.fault; });
+      };
+      const auto vectors = static_cast<std::size_t>(std::count_if(reports.begin(), reports.end(), isNamedIn));
+      if (!best || vectors > best->vectors)
+        best = {.finding = finding, .vectors = vectors, .failures = failuresOf(reports)};
+    }
+  return best && 20 * best->vectors >= best->failures ? best : std::nullopt;
 }
 
 bool isWeak(const CommonFault& common) { return 2 * common.vectors < common.failures; }
@@ -250,10 +250,6 @@ std::string toText(const CommonFault& common) {
 }
 
 namespace {
-
-bool isExplaining(const Report& report, const std::string& fault) {
-  return std::find(report.explaining.begin(), report.explaining.end(), fault) != report.explaining.end();
-}
 
 std::size_t pixelsOf(const Report& report) {
   std::size_t pixels = 0;
@@ -299,8 +295,7 @@ std::vector<PairFinding> likelyPairs(std::span<const Report> reports, std::span<
 }  // namespace
 
 std::optional<CommonPair> commonPair(std::span<const Report> reports, std::span<const TestVector* const> vectors) {
-  const auto failures = static_cast<std::size_t>(
-      std::count_if(reports.begin(), reports.end(), [](const Report& report) { return hasErrors(report.verdict); }));
+  const std::size_t failures = failuresOf(reports);
   const std::optional<CommonFault> single = commonFault(reports);
   const std::size_t alone = single ? single->vectors : 0;
   const auto places = unexplained(reports, vectors, single ? single->finding.fault : "");
