@@ -772,3 +772,18 @@ TEST_CASE("separatedAtWalls keeps surfaces that objects do not divide, and the a
   CHECK(areaOfAll(separatedAtWalls(rotated)) == Approx(areaOfAll(rotated)));
   CHECK(separatedAtWalls(rotated).surfaces.size() == rotated.surfaces.size() + 4);
 }
+
+TEST_CASE("separatedAtWalls finds the sides of a wall among many objects, which it cuts in cells", "[exposure]") {
+  Surfaces all = joined({room(), box("wall", {1.97, 0, 0}, {0.08, 3, 2})});
+  constexpr int rows = 12;
+  for (int i = 0; i < rows; ++i)
+    for (int j = 0; j < rows; ++j) {
+      const Surfaces leg = box("leg", {2.1 + 0.15 * i, 0.05 + 0.24 * j, 0}, {0.05, 0.07, 0.7});
+      all.insert(all.end(), leg.begin(), leg.end());
+    }
+  const Scene whole = tests::sceneOf(all), scene = separatedAtWalls(whole);
+  CHECK(scene.surfaces.size() == whole.surfaces.size() + 4);
+  const Discretization discretization = discretize(scene, {.texels = 4});
+  CHECK(exposedArea(discretization, numberOf(scene, "room0#1")) == Approx(3 * 1.97));
+  CHECK(exposedArea(discretization, numberOf(scene, "room0#2")) == Approx(3 * 1.95 - rows * rows * 0.05 * 0.07));
+}
