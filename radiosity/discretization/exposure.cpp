@@ -335,14 +335,15 @@ std::vector<glm::dvec2> cornersOf(const Piece& piece) {
   return corners;
 }
 
-/// Grids for cutting surfaces, with few slices per texel: each slice is compared with all pieces of its texels.
+/// Grids for cutting surfaces. Each slice is compared with all pieces of its texels, so that many slices need cells.
 std::vector<GridSize> gridsOfSlices(const Scene& scene, const SceneSlices& slices) {
-  constexpr std::size_t perTexel = 16, maxSide = 4096;
+  constexpr std::size_t many = 1024, perTexel = 16, maxSide = 4096;  // slices of a triangle
   std::vector<GridSize> grids;
   for (const SlicesOfSurface own : slicesOfSurfaces(scene, slices)) {
     std::size_t count = 0, side = 1;
     for (const std::vector<Slice>& ofTriangle : own) count += ofTriangle.size();
-    while (side < maxSide && side * side * perTexel < count / own.size()) side *= 2;
+    count /= own.size();
+    while (count > many && side < maxSide && side * side * perTexel < count) side *= 2;
     grids.push_back({static_cast<int>(side), static_cast<int>(side)});
   }
   return grids;
@@ -405,8 +406,7 @@ class SeparatedSurface {
     std::set<std::size_t> parts;
     for (std::uint32_t c = cut_.first[triangle]; c < cut_.first[triangle + 1]; ++c)
       if (partOf_[c]) parts.insert(*partOf_[c]);
-    if (parts.size() < 2)
-      return parts_[parts.empty() ? 0 : *parts.begin()].push_back(surface_.triangles[triangle]);
+    if (parts.size() < 2) return parts_[parts.empty() ? 0 : *parts.begin()].push_back(surface_.triangles[triangle]);
     for (std::uint32_t c = cut_.first[triangle]; c < cut_.first[triangle + 1]; ++c)
       partOf_[c] ? append(triangle, *cut_.cuttings[c].piece, *partOf_[c]) : appendBuried(triangle, cut_.cuttings[c]);
   }
