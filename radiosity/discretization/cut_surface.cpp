@@ -209,8 +209,7 @@ class SurfaceCutter {
       : surface_(surface), grid_(grid), slices_(slices), tolerance_(tolerance), regions_(regions) {
     for (std::uint32_t t = 0; t < surface_.triangles.size(); ++t) {
       cut_.first.push_back(static_cast<std::uint32_t>(cut_.cuttings.size()));
-      cut_.isCut.push_back(!slices_[t].empty() ||
-                           (regions == Regions::Connected && grid_.columns * grid_.rows > 1));
+      cut_.isCut.push_back(!slices_[t].empty() || (regions == Regions::Connected && grid_.columns * grid_.rows > 1));
       cut(t);
     }
     cut_.first.push_back(static_cast<std::uint32_t>(cut_.cuttings.size()));
@@ -255,7 +254,8 @@ class SurfaceCutter {
           for (const Piece& piece : pieces) {
             cut_.cuttings.push_back({static_cast<std::uint32_t>(texelOfCell(column, row, grid_.columns, grid_.rows)),
                                      number, nullptr, centroid(piece), share(piece) * wholeArea});
-            if (pieces.size() > 1 || regions_ == Regions::Connected) cut_.cuttings.back().piece = std::make_shared<const Piece>(piece);
+            if (pieces.size() > 1 || regions_ == Regions::Connected)
+              cut_.cuttings.back().piece = std::make_shared<const Piece>(piece);
             isNearSlice_.push_back(!near.empty());
             isAtEdge_.push_back(edgesOf(piece));
           }
