@@ -93,7 +93,7 @@ def judge(vector: TestVector,
     profile: allowed deviations of a device, with the keys of profile files.
     """
     core = _core_of(vector, TestVector)
-    drawn = vector.draw(found) if callable(found) or isinstance(found, str) else found
+    drawn = vector.draw(found) if callable(found) else found
     buffers: list[Any] = [drawn] if getattr(drawn, "ndim", 0) == 2 else list(drawn)
     text, diagnosis, pixels, expected = _core.judge(core, buffers,
                                                     None if profile is None else json.dumps(dict(profile)))

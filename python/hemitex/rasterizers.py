@@ -2,9 +2,9 @@
 
 A *rasterizer* is a function of a draw list, a face and the numbers of skipped triangles, ascending. It returns the item
 IDs of the face's pixels: (height, width) of the scissor rectangle, row 0 first. Pixels without a triangle hold
-`DrawList.background`. `solve`, `form_factor_row`, `hemicube` and `judge` take one. Instead they take the name of a
-device: `software`, `vulkan`, `vulkan-compute` or `opengl`. It is judged when it is used first, which takes seconds, and
-refused if it draws test vectors with errors (docs/gpu.md).
+`DrawList.background`. `solve`, `form_factor_row`, `hemicube` and `judge` take one. All but `judge` also take the
+name of a device: `software`, `vulkan`, `vulkan-compute` or `opengl`. It is judged when it is used first, which takes
+seconds, and refused if it draws test vectors with errors (docs/gpu.md).
 """
 
 from __future__ import annotations
