@@ -1,135 +1,14 @@
 #include "cli/devices/row_device.h"
 
-#include <unistd.h>
-
-#include <algorithm>
-#include <cstdlib>
-#include <filesystem>
-#include <map>
-#include <nlohmann/json.hpp>
-#include <optional>
-
-#include "cli/common/program.h"
-#include "raster/base/file_io.h"
 #include "raster/base/input_error.h"
-#include "raster/software/software_renderer.h"
-#include "reference/base/hashes/sha256.h"
-#include "reference/conformance/suite/vector_suite.h"
-#include "reference/conformance/verdict/verdict.h"
+#include "raster/interface/item_id.h"
 
 namespace hemitex::cli {
-namespace {
-
-using nlohmann::ordered_json;
-using reference::TestVector;
-
-/// What is known of a device.
-struct Judgement {
-  std::uint64_t exact = 0, explained = 0;  ///< pixels
-  std::vector<std::string> wrong;          ///< vectors with errors, or with wrong sums
-};
-
-/// A weight that grows along a face, such that sums over a vector have carries between words.
-std::uint64_t weightOf(std::size_t pixel) { return (pixel + 1) * 0x180000001; }
-
-/// The sums of pixels by item ID; those above `largest` are one.
-std::map<std::uint32_t, std::uint64_t> sumsOf(std::span<const raster::ItemBuffer> buffers, std::uint32_t largest) {
-  std::map<std::uint32_t, std::uint64_t> sums;
-  for (const raster::ItemBuffer& buffer : buffers)
-    for (std::size_t i = 0; i < buffer.ids.size(); ++i) sums[std::min(buffer.ids[i], largest)] += weightOf(i);
-  return sums;
-}
-
-/// Whether the renderer, if it sums pixels, finds the sums of the buffers that it draws.
-bool areSumsRight(raster::ItemBufferRenderer& renderer, const std::vector<raster::Face>& faces) {
-  constexpr std::uint32_t ids = 1 << 16;
-  const std::unique_ptr<raster::PixelSums> sums = renderer.makeSums([] {
-    return raster::SlotTable{.bits = 16, .backId = ids + 1, .back = ids, .blocks = {{ids, 0}}};
-  });
-  if (!sums) return true;
-  const std::vector<raster::ItemBuffer> buffers = render(renderer, faces);
-  std::vector<std::size_t> weights;
-  for (const raster::ItemBuffer& buffer : buffers) {
-    std::vector<std::uint64_t> before{0};
-    for (std::size_t i = 0; i < buffer.ids.size(); ++i) before.push_back(before.back() + weightOf(i));
-    weights.push_back(sums->addWeights(before));
-  }
-  const raster::SummedView view{faces, weights, {}};
-  std::map<std::uint32_t, std::uint64_t> found;
-  for (const raster::SlotSums& part : sums->sum({&view, 1}))
-    for (std::size_t s = 0; s < part.slots.size(); ++s) found[std::min(part.slots[s], ids)] += part.sums[s];
-  return found == sumsOf(buffers, ids);
-}
-
-Judgement judged(const RowDevice& device) {
-  Judgement all;
-  for (const TestVector& vector : reference::vectorSuite()) {
-    const auto renderer = makeRenderer(vector.list, device.device, device.name);
-    const reference::Verdict verdict = judge(vector, render(*renderer, facesOf(vector)), {});
-    if (hasErrors(verdict) || !areSumsRight(*renderer, facesOf(vector))) all.wrong.push_back(vector.name);
-    const reference::VerdictCounts counts = countVerdicts(verdict);
-    for (std::size_t v = 0; v < counts.size(); ++v)
-      (static_cast<reference::PixelVerdict>(v) == reference::PixelVerdict::Exact ? all.exact : all.explained) +=
-          counts[v];
-  }
-  return all;
-}
-
-/// The folder of judgements; empty if the user has none.
-std::filesystem::path recordFolder() {
-  if (const char* const cache = std::getenv("XDG_CACHE_HOME"); cache != nullptr && *cache != '\0')
-    return std::filesystem::path(cache) / "hemitex/devices";
-  const char* const home = std::getenv("HOME");
-  return home != nullptr && *home != '\0' ? std::filesystem::path(home) / ".cache/hemitex/devices"
-                                          : std::filesystem::path();
-}
-
-std::optional<Judgement> readJudgement(const std::filesystem::path& file) try {
-  const std::optional<std::string> text = raster::tryReadFile(file);
-  if (!text) return std::nullopt;
-  const auto json = ordered_json::parse(*text);
-  return Judgement{json.at("exact"), json.at("explained"), json.at("wrong")};
-} catch (const ordered_json::exception&) {
-  return std::nullopt;
-}
-
-/// Replaces the file at once, so that no other process reads a part of it. Without a place for it there is no record.
-void writeJudgement(const std::filesystem::path& file, const std::string& device, const Judgement& judgement) {
-  const ordered_json json{
-      {"device", device}, {"exact", judgement.exact}, {"explained", judgement.explained}, {"wrong", judgement.wrong}};
-  std::error_code error;
-  std::filesystem::create_directories(file.parent_path(), error);
-  const std::filesystem::path part = file.string() + "." + std::to_string(getpid());
-  try {
-    raster::writeFile(part, json.dump(2) + "\n");
-    std::filesystem::rename(part, file, error);
-  } catch (const raster::InputError&) {  // it will be judged again
-  }
-}
-
-/// The judgement of this program's renderer, which draws with that device and driver.
-Judgement knownOrJudged(const RowDevice& device, const std::string& name, Console& console) {
-  const std::string key =
-      std::to_string(static_cast<int>(device.device)) + name + reference::sha256OfFile("/proc/self/exe");
-  const std::filesystem::path folder = recordFolder(), file = folder / (reference::sha256(key) + ".json");
-  if (!folder.empty())
-    if (const auto known = readJudgement(file)) return *known;
-  console.message("judging " + name + " by the test vectors; this takes some seconds, once");
-  const Judgement judgement = judged(device);
-  if (!folder.empty()) writeJudgement(file, name, judgement);
-  return judgement;
-}
-
-}  // namespace
 
 void addRowDevice(Command command, RowDevice& device) {
   command = command.under("Form factors");
   const Option option = addChoice<Device>(
-      command, "--device", device.device,
-      {{"software", Device::Software},
-       {"vulkan", Device::Vulkan},
-       {"vulkan-compute", Device::VulkanCompute},
-       {"opengl", Device::OpenGl}},
+      command, "--device", device.device, reference::rowDevices(),
       "draw rows with this renderer. A device is judged first, and refused if it draws test vectors with errors "
       "(default software)");
   command.addText("--device-name", "NAME", "draw with the first device whose name contains this", device.name)
@@ -137,18 +16,22 @@ void addRowDevice(Command command, RowDevice& device) {
 }
 
 RendererMaker rowRenderers(const RowDevice& device, Console& console) {
-  if (device.device == Device::Software)
-    return [](raster::DrawList list) { return std::make_unique<raster::SoftwareRenderer>(std::move(list)); };
-  const std::string name = deviceName(device.device, device.name);
-  const Judgement judgement = knownOrJudged(device, name, console);
-  if (!judgement.wrong.empty())
-    throw raster::InputError(name + " draws " + std::to_string(judgement.wrong.size()) +
-                                 " test vectors wrongly, the first of them `" + judgement.wrong.front() + "`",
-                             "use another driver, or --device software; docs/backend.md says how to see the pixels");
-  console.message("rows are drawn by " + name + ", which draws " + std::to_string(judgement.exact) +
-                  " pixels of the test vectors exactly, and " + std::to_string(judgement.explained) +
-                  " as a device may");
-  return [device](const raster::DrawList& list) { return makeRenderer(list, device.device, device.name); };
+  return judgedRenderers(device, "/proc/self/exe", [&console](const std::string& text) { console.message(text); });
+}
+
+/// Tests the device with an empty draw list, because an OpenGL context is made only for a renderer.
+RendererMaker openGlRenderers(Device device, Console& console, const std::string& without) {
+  const auto make = [device](const raster::DrawList& list) { return makeRenderer(list, device); };
+  try {
+    raster::DrawList empty;
+    empty.format = *raster::formatNamed("r8g8b8a8");
+    make(empty);
+    console.message("OpenGL draws with " + deviceName(device));
+    return make;
+  } catch (const raster::InputError& error) {
+    console.message(without + ": " + error.what());
+    return {};
+  }
 }
 
 }  // namespace hemitex::cli

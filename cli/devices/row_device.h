@@ -1,29 +1,26 @@
-/// The device that draws the rows of a solution: the software, or a real device that draws the test vectors of the
-/// suite without errors. It is judged when it is used first, which takes seconds; a file in the user's cache keeps the
-/// verdict.
+/// The device that draws rows, chosen by options.
 #pragma once
 
-#include <functional>
-#include <memory>
 #include <string>
 
+#include "cli/common/console.h"
 #include "cli/common/options.h"
-#include "cli/devices/renderers.h"
+#include "reference/devices/choice/judged_device.h"
 
 namespace hemitex::cli {
 
-struct RowDevice {
-  Device device = Device::Software;
-  std::string name = {};  ///< part of it
-};
-
-using RendererMaker = std::function<std::unique_ptr<raster::ItemBufferRenderer>(raster::DrawList)>;
+using reference::Device;
+using reference::RendererMaker;
+using reference::RowDevice;
 
 /// Adds `--device` and `--device-name`.
 void addRowDevice(Command command, RowDevice& device);
 
-/// Makes renderers of the device, and says which it is. Throws InputError if there is none, or for one that draws test
-/// vectors with errors or sums their pixels wrongly.
+/// Makes renderers of the device, and says which it is (see judgedRenderers).
 RendererMaker rowRenderers(const RowDevice& device, Console& console);
+
+/// A function that makes renderers for one of the devices of OpenGL, which is not judged, and prints which device
+/// draws. If there is none, prints `without` and the reason, and returns an empty function.
+RendererMaker openGlRenderers(Device device, Console& console, const std::string& without);
 
 }  // namespace hemitex::cli

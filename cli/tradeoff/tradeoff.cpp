@@ -11,6 +11,7 @@
 #include "cli/common/commands.h"
 #include "cli/common/json.h"
 #include "cli/common/staging.h"
+#include "cli/devices/row_device.h"
 #include "cli/report/tradeoff_report.h"
 #include "cli/scene/camera_options.h"
 #include "cli/scene/scene_options.h"
@@ -31,6 +32,8 @@ struct TradeoffOptions {
   std::uint32_t seed = 0;
   std::vector<std::string> methodTexts;  ///< as given; all methods if empty
   std::vector<reference::TradeMethod> methods;
+  RowDevice device;
+  RendererMaker makeRenderer = radiosity::softwareRenderer;  ///< of the device
   std::filesystem::path output;
 };
 
@@ -82,25 +85,32 @@ std::vector<reference::TradeMethod> methodsOf(const TradeoffOptions& options) {
 ordered_json settingsJson(const TradeoffOptions& options) {
   ordered_json methods;
   for (const reference::TradeMethod& method : options.methods) methods[method.name] = method.measured;
-  return {{"texels", options.texels},
-          {"patch", options.patches},
-          {"samples", options.samples},
-          {"seed", options.seed},
-          {"residual", reference::tradeResidual},
-          {"rounds", reference::tradeRounds},
-          {"once_above_s", reference::longTime},
-          {"methods", std::move(methods)}};
+  ordered_json settings{{"texels", options.texels},
+                        {"patch", options.patches},
+                        {"samples", options.samples},
+                        {"seed", options.seed},
+                        {"residual", reference::tradeResidual},
+                        {"rounds", reference::tradeRounds},
+                        {"once_above_s", reference::longTime},
+                        {"methods", std::move(methods)}};
+  if (options.device.device != Device::Software)
+    settings["device"] = deviceName(options.device.device, options.device.name);
+  return settings;
 }
 
 /// Compares hemicubes and rays from the same points, at the settings of the methods. Adds a number of rays that takes
 /// as long as the finest hemicube, and omits finer hemicubes, which would take most of the time. Nothing if hemicubes
 /// or rays are not measured.
-std::optional<reference::RowComparison> comparisonOf(const std::vector<reference::TradeMethod>& methods,
-                                                     const radiosity::Scene& scene,
+std::optional<reference::RowComparison> comparisonOf(const TradeoffOptions& options, const radiosity::Scene& scene,
                                                      const radiosity::Discretization& discretization) {
-  reference::RowComparisonSettings settings{
-      .hemicubes = {}, .turnedHemicubes = {}, .rays = {}, .points = 12, .truthSamples = 1 << 9, .repeats = 3};
-  for (const reference::TradeMethod& method : methods)
+  reference::RowComparisonSettings settings{.hemicubes = {},
+                                            .turnedHemicubes = {},
+                                            .rays = {},
+                                            .points = 12,
+                                            .truthSamples = 1 << 9,
+                                            .repeats = 3,
+                                            .makeRenderer = options.makeRenderer};
+  for (const reference::TradeMethod& method : options.methods)
     for (const int setting : method.measured) {
       const bool isLongest = setting > maxSamePointsResolution;
       if (method.name == "hemicube" && !isLongest) settings.hemicubes.push_back(setting);
@@ -122,18 +132,19 @@ Tradeoff measuredAgainst(const reference::TrueRadiosity& truth, const radiosity:
   };
   const std::vector<reference::TradeChoice> choices =
       reference::tradeChoices(options.methods, options.texels, options.patches);
-  Tradeoff tradeoff{scene,
-                    fine,
-                    truth,
-                    options.methods,
-                    reference::measureTradeoff(scene, fine, truth, options.methods, choices, progress),
-                    reference::trueRowError(fine, truth, fine),
-                    comparisonOf(options.methods, scene, fine)};
+  Tradeoff tradeoff{
+      scene,
+      fine,
+      truth,
+      options.methods,
+      reference::measureTradeoff(scene, fine, truth, options.methods, choices, progress, options.makeRenderer),
+      reference::trueRowError(fine, truth, fine),
+      comparisonOf(options, scene, fine)};
   console.endProgress();
   return tradeoff;
 }
 
-void measure(const TradeoffOptions& options, Context& context) {
+void measure(TradeoffOptions& options, Context& context) {
   Console& console = context.console;
   const reference::Stopwatch all;
   const radiosity::Scene scene = sceneOf(options.scene, console);
@@ -147,6 +158,8 @@ void measure(const TradeoffOptions& options, Context& context) {
   const int finest = *std::max_element(options.texels.begin(), options.texels.end());
   const radiosity::Discretization fine =
       radiosity::discretize(scene, {.texels = finest, .patch = options.patches.front()});
+
+  options.makeRenderer = rowRenderers(options.device, console);
 
   const reference::Stopwatch truthTime;
   console.progress(0, "true radiosity");
@@ -201,6 +214,7 @@ void addTradeoff(Command program, Context& context) {
   addInteger(what, "--samples", options->samples, 128, 1 << 20,
              "compute the truth with N rays per element on average (default 16384)");
   addSeed(what, options->seed);
+  addRowDevice(command, options->device);
   addSceneOptions(command, options->scene);
   command.showFirst({"--output", "--method", "--texels", "--patch", "--samples", "--emit", "--reflectance", "--lights",
                      "--charts", "--two-sided"});

@@ -5,10 +5,12 @@
 #include <functional>
 
 #include "cli/common/options.h"
-#include "cli/devices/renderers.h"
 #include "reference/conformance/vectors/vector_file.h"
+#include "reference/devices/choice/renderers.h"
 
 namespace hemitex::cli {
+
+using reference::Device;
 
 /// Prints the names, sizes and hashes of the faces.
 void printFaces(const reference::TestVector& vector, const Context& context);

@@ -8,7 +8,7 @@
 
 #include "python/bindings/arrays.h"
 #include "python/bindings/settings.h"
-#include "raster/software/software_renderer.h"
+#include "reference/devices/choice/judged_device.h"
 
 namespace hemitex::python {
 namespace {
@@ -121,6 +121,13 @@ class PythonRenderer final : public raster::ItemBufferRenderer {
   Kept draw_;
 };
 
+/// The renderers of a device, by its name of `--device`. Another build of this module judges the device anew.
+radiosity::RendererFactory deviceRenderers(const std::string& name) {
+  const auto device = Settings(py::dict("rasterizer"_a = name)).choice("rasterizer", reference::rowDevices());
+  const auto module = py::module_::import("hemitex._core").attr("__file__").cast<std::string>();
+  return unlocked([&] { return reference::judgedRenderers({*device}, module, [](const std::string&) {}); });
+}
+
 }  // namespace
 
 py::dict toDict(const raster::DrawList& list) {
@@ -207,6 +214,7 @@ raster::ItemBuffer itemBufferOf(const py::handle& array, const raster::Face& fac
 
 radiosity::RendererFactory rendererFactory(py::object make) {
   if (make.is_none()) return radiosity::softwareRenderer;
+  if (py::isinstance<py::str>(make)) return deviceRenderers(make.cast<std::string>());
   return [kept = keep(std::move(make))](const raster::DrawList& list) -> std::unique_ptr<raster::ItemBufferRenderer> {
     const py::gil_scoped_acquire locked;
     return std::make_unique<PythonRenderer>(list, *kept);

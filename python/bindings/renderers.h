@@ -29,7 +29,8 @@ raster::ItemBuffer itemBufferOf(const py::handle& array, const raster::Face& fac
                                 const std::string& name);
 
 /// The renderers of `make`, which takes a draw list and returns a function of a face and of the numbers of skipped
-/// triangles, which returns the item IDs (height, width). None: the reference renderer.
+/// triangles, which returns the item IDs (height, width); or those of a device with this name, which is judged first
+/// (reference/devices/choice). None: the reference renderer.
 radiosity::RendererFactory rendererFactory(py::object make);
 
 }  // namespace hemitex::python

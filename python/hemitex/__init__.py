@@ -23,15 +23,15 @@ from .form_factors import (FormFactorMatrix, FormFactorRow, Hemicube, HemicubeFa
                            analytic, check_matrix, form_factor_matrix, form_factor_row, hemicube, rays, read_matrix)
 from .light import Sensitivity, Solution, UpdateCost, edit, insist, sensitivity, solve, threads
 from .pictures import render
-from .rasterizers import Draw, DrawList, Face, Rasterizer
+from .rasterizers import Device, Draw, DrawList, Face, Rasterizer
 from .scenes import (Add, Edit, Elements, Move, Remove, Restore, Scene, SetEmission, SetReflectance, discretize,
                      load_scene)
 
 __all__ = [
-    "Add", "Camera", "Draw", "DrawList", "Edit", "Elements", "Explanation", "Face", "FormFactorMatrix", "FormFactorRow",
-    "Hemicube", "HemicubeFace", "InputError", "MatrixDifference", "MatrixVerdict", "Move", "Rasterizer", "Remove",
-    "Restore", "Scene", "Sensitivity", "SetEmission", "SetReflectance", "Solution", "TestVector", "UpdateCost",
-    "Verdict", "analytic", "camera", "check_matrix", "discretize", "edit", "explain", "form_factor_matrix",
-    "form_factor_row", "hemicube", "insist", "judge", "load_scene", "rays", "read_matrix", "read_vector", "render",
-    "sensitivity", "solve", "threads", "vector_suite"
+    "Add", "Camera", "Device", "Draw", "DrawList", "Edit", "Elements", "Explanation", "Face", "FormFactorMatrix",
+    "FormFactorRow", "Hemicube", "HemicubeFace", "InputError", "MatrixDifference", "MatrixVerdict", "Move",
+    "Rasterizer", "Remove", "Restore", "Scene", "Sensitivity", "SetEmission", "SetReflectance", "Solution",
+    "TestVector", "UpdateCost", "Verdict", "analytic", "camera", "check_matrix", "discretize", "edit", "explain",
+    "form_factor_matrix", "form_factor_row", "hemicube", "insist", "judge", "load_scene", "rays", "read_matrix",
+    "read_vector", "render", "sensitivity", "solve", "threads", "vector_suite"
 ]

@@ -2,7 +2,9 @@
 
 A *rasterizer* is a function of a draw list, a face and the numbers of skipped triangles, ascending. It returns the item
 IDs of the face's pixels: (height, width) of the scissor rectangle, row 0 first. Pixels without a triangle hold
-`DrawList.background`. `solve`, `form_factor_row`, `hemicube` and `judge` take one.
+`DrawList.background`. `solve`, `form_factor_row`, `hemicube` and `judge` take one. All but `judge` also take the
+name of a device: `software`, `vulkan`, `vulkan-compute` or `opengl`. It is judged when it is used first, which takes
+seconds, and refused if it draws test vectors with errors (docs/gpu.md).
 """
 
 from __future__ import annotations
@@ -10,7 +12,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import partial
-from typing import Any
+from typing import Any, Literal, Union
 
 import numpy as np
 import numpy.typing as npt
@@ -69,7 +71,8 @@ class Face:
 
 
 Ids = npt.NDArray[np.uint32]
-Rasterizer = Callable[[DrawList, Face, npt.NDArray[np.uint32]], npt.ArrayLike]
+Device = Literal["software", "vulkan", "vulkan-compute", "opengl"]
+Rasterizer = Union[Callable[[DrawList, Face, npt.NDArray[np.uint32]], npt.ArrayLike], Device]
 
 
 def _draw_list(core: dict[str, Any]) -> DrawList:
@@ -89,9 +92,9 @@ def _to_core(value: DrawList | Face) -> dict[str, Any]:
 
 def _factory(rasterizer: Rasterizer | None) -> Any:
     """What the module calls with a draw list, and then with faces."""
-    return None if rasterizer is None else partial(_bound, rasterizer)
+    return partial(_bound, rasterizer) if callable(rasterizer) else rasterizer
 
 
-def _bound(rasterizer: Rasterizer, core: dict[str, Any]) -> Any:
+def _bound(rasterizer: Callable[..., npt.ArrayLike], core: dict[str, Any]) -> Any:
     draw_list = _draw_list(core)
     return lambda face, skipped: rasterizer(draw_list, _face(face), skipped)

@@ -166,6 +166,12 @@ struct Segment {
   glm::dvec3 from, to;
 };
 
+/// The box around a segment, seen along an axis of space.
+PlaneBox boxAlong(int axis, const Segment& segment, double margin) {
+  const auto seen = [axis](const glm::dvec3& p) { return glm::dvec2(p[(axis + 1) % 3], p[(axis + 2) % 3]); };
+  return boxAround(seen(segment.from), seen(segment.to), margin);
+}
+
 /// The part of a segment, as distances from its first end, that another one covers; without length if the other does
 /// not lie along it within a tolerance.
 glm::dvec2 overlap(const Segment& segment, const Segment& other, double tolerance) {
@@ -200,10 +206,10 @@ class SurfaceCutter {
  public:
   SurfaceCutter(const Surface& surface, const GridSize& grid, std::span<const std::vector<Slice>> slices,
                 double tolerance, Regions regions)
-      : surface_(surface), grid_(grid), slices_(slices), tolerance_(tolerance) {
+      : surface_(surface), grid_(grid), slices_(slices), tolerance_(tolerance), regions_(regions) {
     for (std::uint32_t t = 0; t < surface_.triangles.size(); ++t) {
       cut_.first.push_back(static_cast<std::uint32_t>(cut_.cuttings.size()));
-      cut_.isCut.push_back(!slices_[t].empty());
+      cut_.isCut.push_back(!slices_[t].empty() || (regions == Regions::Connected && grid_.columns * grid_.rows > 1));
       cut(t);
     }
     cut_.first.push_back(static_cast<std::uint32_t>(cut_.cuttings.size()));
@@ -248,7 +254,8 @@ class SurfaceCutter {
           for (const Piece& piece : pieces) {
             cut_.cuttings.push_back({static_cast<std::uint32_t>(texelOfCell(column, row, grid_.columns, grid_.rows)),
                                      number, nullptr, centroid(piece), share(piece) * wholeArea});
-            if (pieces.size() > 1) cut_.cuttings.back().piece = std::make_shared<const Piece>(piece);
+            if (pieces.size() > 1 || regions_ == Regions::Connected)
+              cut_.cuttings.back().piece = std::make_shared<const Piece>(piece);
             isNearSlice_.push_back(!near.empty());
             isAtEdge_.push_back(edgesOf(piece));
           }
@@ -325,13 +332,30 @@ class SurfaceCutter {
   }
 
   void joinOpenBorders(std::uint32_t triangle, std::uint32_t other) {
+    const glm::dvec3 n = glm::abs(normal(surface_.triangles[triangle]));
+    const int axis = n.x >= n.y && n.x >= n.z ? 0 : n.y >= n.z ? 1 : 2;
     std::vector<Segment> walls;
+    std::vector<PlaneBox> wallBoxes, sideBoxes;
     for (const std::uint32_t t : {triangle, other})
-      for (const Slice& slice : slices_[t]) walls.push_back({placeOn(t, slice.from), placeOn(t, slice.to)});
+      for (const Slice& slice : slices_[t]) {
+        walls.push_back({placeOn(t, slice.from), placeOn(t, slice.to)});
+        wallBoxes.push_back(boxAlong(axis, walls.back(), 0));
+      }
     const std::vector<std::pair<std::uint32_t, Segment>> sides = sidesOf(triangle), otherSides = sidesOf(other);
-    for (const auto& [a, side] : sides)
-      for (const auto& [b, otherSide] : otherSides)
-        if (rootOf(a) != rootOf(b) && haveOpenBorder(side, otherSide, walls, 2 * tolerance_)) join(a, b);
+    for (const auto& [b, side] : otherSides) sideBoxes.push_back(boxAlong(axis, side, 0));
+    const BoxTree wallTree(wallBoxes), sideTree(sideBoxes);
+    std::vector<std::uint32_t> nearSides, nearWalls;
+    for (const auto& [a, side] : sides) {
+      const PlaneBox box = boxAlong(axis, side, 2 * tolerance_);
+      sideTree.find(box, nearSides);
+      wallTree.find(box, nearWalls);
+      std::vector<Segment> beside;
+      for (const std::uint32_t wall : nearWalls) beside.push_back(walls[wall]);
+      for (const std::uint32_t near : nearSides) {
+        const auto& [b, otherSide] = otherSides[near];
+        if (rootOf(a) != rootOf(b) && haveOpenBorder(side, otherSide, beside, 2 * tolerance_)) join(a, b);
+      }
+    }
   }
 
   /// The sides of the cuttings of a triangle, longer than the tolerance, with the numbers of the cuttings.
@@ -358,6 +382,7 @@ class SurfaceCutter {
   const GridSize& grid_;
   std::span<const std::vector<Slice>> slices_;  ///< one entry per triangle
   double tolerance_;
+  Regions regions_;
   CutSurface cut_;
   std::vector<std::array<bool, 3>> isAtEdge_;  ///< of each cutting, by the opposite corner of the triangle
   std::vector<bool> isNearSlice_;              ///< of each cutting: whether a slice meets its bounds
@@ -379,9 +404,12 @@ std::uint32_t cuttingAt(const CutSurface& cut, const Surface& surface, const Gri
   const glm::dvec2 place = a + weights.x * (b - a) + weights.y * (c - a);
   const std::size_t texel = texelOfCell(static_cast<std::int64_t>(std::floor(place.x)),
                                         static_cast<std::int64_t>(std::floor(place.y)), grid.columns, grid.rows);
-  for (std::uint32_t i = first; i < end; ++i)
-    if (cut.cuttings[i].texel == texel && (!cut.cuttings[i].piece || contains(*cut.cuttings[i].piece, weights)))
-      return i;
+  // The cuttings of a triangle are in the order of texels.
+  const auto before = [](const Cutting& cutting, std::size_t number) { return cutting.texel < number; };
+  const auto begin = cut.cuttings.begin();
+  auto at = std::lower_bound(begin + first, begin + end, texel, before);
+  for (; at != begin + end && at->texel == texel; ++at)
+    if (!at->piece || contains(*at->piece, weights)) return static_cast<std::uint32_t>(at - begin);
   return first;
 }
 

@@ -28,15 +28,15 @@ enum class Regions {
   /// texels, so that a large surface has few regions.
   FarFromSlices,
   /// Cuttings of one triangle or of neighbours are joined if they share a border that slices do not cover completely:
-  /// the parts into which slices separate the surface. For grids of one texel.
+  /// the parts into which slices separate the surface. All have pieces. Finer grids only make this faster.
   Connected
 };
 
 /// A surface cut by its slices. A region is exposed or buried as a whole.
 struct CutSurface {
-  std::vector<Cutting> cuttings;                    ///< by triangle
+  std::vector<Cutting> cuttings;                    ///< by triangle, then by texel
   std::vector<std::uint32_t> first;                 ///< first cutting of each triangle; one more at the end
-  std::vector<bool> isCut;                          ///< one per triangle: whether it has slices
+  std::vector<bool> isCut;                          ///< one per triangle: whether it may have several
   std::vector<std::vector<std::uint32_t>> regions;  ///< the cuttings of each region, largest first
 };
 

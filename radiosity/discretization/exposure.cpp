@@ -328,8 +328,6 @@ class BuriedRegions {
   std::vector<Region> regions_;
 };
 
-constexpr GridSize oneTexel = {};
-
 /// The barycentric weights of the corners of a piece.
 std::vector<glm::dvec2> cornersOf(const Piece& piece) {
   std::vector<glm::dvec2> corners;
@@ -337,11 +335,25 @@ std::vector<glm::dvec2> cornersOf(const Piece& piece) {
   return corners;
 }
 
+/// Grids for cutting surfaces. Each slice is compared with all pieces of its texels, so that many slices need cells.
+std::vector<GridSize> gridsOfSlices(const Scene& scene, const SceneSlices& slices) {
+  constexpr std::size_t many = 1024, perTexel = 16, maxSide = 4096;  // slices of a triangle
+  std::vector<GridSize> grids;
+  for (const SlicesOfSurface own : slicesOfSurfaces(scene, slices)) {
+    std::size_t count = 0, side = 1;
+    for (const std::vector<Slice>& ofTriangle : own) count += ofTriangle.size();
+    count /= own.size();
+    while (count > many && side < maxSide && side * side * perTexel < count) side *= 2;
+    grids.push_back({static_cast<int>(side), static_cast<int>(side)});
+  }
+  return grids;
+}
+
 /// The number of the first triangle of the connected part that contains each triangle of a surface.
 std::vector<std::uint32_t> connectedTriangles(const Surface& surface) {
   const std::vector<std::vector<Slice>> noSlices(surface.triangles.size());
   std::vector<std::uint32_t> part(surface.triangles.size());
-  for (const std::vector<std::uint32_t>& region : cutSurface(surface, oneTexel, noSlices, 0, Regions::Connected).regions)
+  for (const std::vector<std::uint32_t>& region : cutSurface(surface, {}, noSlices, 0, Regions::Connected).regions)
     for (const std::uint32_t triangle : region) part[triangle] = *std::min_element(region.begin(), region.end());
   return part;
 }
@@ -375,9 +387,10 @@ std::vector<std::vector<std::uint32_t>> regionsBehindWalls(const Surface& surfac
 /// The parts that a surface is separated into: 0, and one per region behind a wall.
 class SeparatedSurface {
  public:
-  SeparatedSurface(const Surface& surface, const CutSurface& cut, const std::vector<std::vector<std::uint32_t>>& exposed,
+  SeparatedSurface(const Surface& surface, const GridSize& grid, const CutSurface& cut,
+                   const std::vector<std::vector<std::uint32_t>>& exposed,
                    const std::vector<std::vector<std::uint32_t>>& behind)
-      : surface_(surface), cut_(cut), partOf_(cut.cuttings.size()), parts_(behind.size() + 1) {
+      : surface_(surface), grid_(grid), cut_(cut), partOf_(cut.cuttings.size()), parts_(behind.size() + 1) {
     for (const std::vector<std::uint32_t>& region : exposed)
       for (const std::uint32_t c : region) partOf_[c] = 0;
     for (std::size_t part = 0; part < behind.size(); ++part)
@@ -393,8 +406,7 @@ class SeparatedSurface {
     std::set<std::size_t> parts;
     for (std::uint32_t c = cut_.first[triangle]; c < cut_.first[triangle + 1]; ++c)
       if (partOf_[c]) parts.insert(*partOf_[c]);
-    if (parts.size() < 2)
-      return parts_[parts.empty() ? 0 : *parts.begin()].push_back(surface_.triangles[triangle]);
+    if (parts.size() < 2) return parts_[parts.empty() ? 0 : *parts.begin()].push_back(surface_.triangles[triangle]);
     for (std::uint32_t c = cut_.first[triangle]; c < cut_.first[triangle + 1]; ++c)
       partOf_[c] ? append(triangle, *cut_.cuttings[c].piece, *partOf_[c]) : appendBuried(triangle, cut_.cuttings[c]);
   }
@@ -437,10 +449,11 @@ class SeparatedSurface {
   /// The part of an exposed piece at a point of a triangle.
   std::optional<std::size_t> partAt(std::uint32_t triangle, const glm::dvec2& weights) const {
     if (weights.x < 0 || weights.y < 0 || weights.x + weights.y > 1) return std::nullopt;
-    return partOf_[cuttingAt(cut_, surface_, oneTexel, triangle, weights)];
+    return partOf_[cuttingAt(cut_, surface_, grid_, triangle, weights)];
   }
 
   const Surface& surface_;
+  const GridSize& grid_;
   const CutSurface& cut_;
   std::vector<std::optional<std::size_t>> partOf_;  ///< of each cutting; none if it is buried
   std::vector<std::vector<Triangle>> parts_;
@@ -493,7 +506,7 @@ Scene separatedAtWalls(Scene scene) {
   if (!hasBacks(scene)) return scene;
   const RayTree rays(scene);
   const SceneSlices slices = triangleSlices(scene, rays);
-  const std::vector<GridSize> sizes(scene.surfaces.size());
+  const std::vector<GridSize> sizes = gridsOfSlices(scene, slices);
   const BuriedRegions regions(scene, sizes, slices, rays, Regions::Connected);
   std::vector<std::vector<std::vector<Triangle>>> partsOf(scene.surfaces.size());
   raster::parallelFor(partsOf.size(), [&](std::size_t s) {
@@ -501,7 +514,7 @@ Scene separatedAtWalls(Scene scene) {
     if (cut == nullptr || scene.surfaces[s].twin) return;
     const auto exposed = regions.exposedRegions(static_cast<std::uint32_t>(s));
     const auto behind = regionsBehindWalls(scene.surfaces[s], *cut, exposed);
-    if (!behind.empty()) partsOf[s] = SeparatedSurface(scene.surfaces[s], *cut, exposed, behind).take();
+    if (!behind.empty()) partsOf[s] = SeparatedSurface(scene.surfaces[s], sizes[s], *cut, exposed, behind).take();
   });
   replaceByParts(scene, std::move(partsOf));
   return scene;

@@ -14,6 +14,7 @@
 #include "radiosity/geometry/contact_parts.h"
 #include "radiosity/geometry/triangulation.h"
 #include "radiosity/scene/ray_tree.h"
+#include "raster/base/cross.h"
 #include "raster/base/input_error.h"
 #include "raster/base/parallel.h"
 
@@ -34,23 +35,55 @@ bool isBack(const Scene& scene, std::uint32_t s) {
   return scene.surfaces[s].twin && static_cast<std::uint32_t>(*scene.surfaces[s].twin) < s;
 }
 
+/// Whether the chart of a surface is a plan of it: an affine map of one plane but for rounding. No two triangles
+/// overlap in a chart (chart_validation.h), and so none lies in the place of another.
+bool hasPlan(const Surface& surface) {
+  constexpr double rounding = 0x1p-20;  // of its extent; charts have 24 bits
+  struct Corner {
+    glm::dvec2 chart;
+    glm::dvec3 position;
+  };
+  std::vector<Corner> corners;
+  for (const Triangle& triangle : surface.triangles)
+    for (std::size_t k = 0; k < 3; ++k) corners.push_back({triangle.chart[k], triangle.position[k]});
+  if (corners.empty()) return false;
+  const auto [left, right] = std::minmax_element(
+      corners.begin(), corners.end(), [](const Corner& a, const Corner& b) { return a.chart.x < b.chart.x; });
+  const Corner a = *left, b = *right;
+  const auto besides = [&](const Corner& corner) { return raster::cross(b.chart - a.chart, corner.chart - a.chart); };
+  const Corner c = *std::max_element(corners.begin(), corners.end(), [&](const Corner& one, const Corner& two) {
+    return std::abs(besides(one)) < std::abs(besides(two));
+  });
+  return std::all_of(corners.begin(), corners.end(), [&](const Corner& corner) {
+    const double third = besides(corner) / besides(c),
+                 second = raster::cross(corner.chart - a.chart, c.chart - a.chart) / besides(c);
+    return glm::distance(corner.position,
+                         a.position + second * (b.position - a.position) + third * (c.position - a.position)) <=
+           rounding * glm::distance(a.position, b.position);
+  });
+}
+
 /// The triangles of a scene, by number.
 struct SceneTriangles {
   std::vector<TrianglePositions> positions;
   std::vector<std::uint32_t> surfaces;
-  std::vector<std::int64_t> ranks;  ///< see ContactRules
-  std::vector<bool> areHoled;       ///< of cut-outs, which are in contact with nothing and enclose nothing
+  std::vector<std::int64_t> ranks;   ///< see ContactRules
+  std::vector<std::uint32_t> plans;  ///< the surface if it has a plan, or RayTree::noSurface
+  std::vector<bool> areHoled;        ///< of cut-outs, which are in contact with nothing and enclose nothing
 
   explicit SceneTriangles(const Scene& scene) {
     const auto count = static_cast<std::int64_t>(triangleCount(scene));
-    for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s)
+    for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s) {
+      const bool isPlan = hasPlan(scene.surfaces[s]);
       for (const Triangle& triangle : scene.surfaces[s].triangles) {
         const auto number = static_cast<std::int64_t>(positions.size());
         positions.push_back(triangle.position);
         surfaces.push_back(s);
+        plans.push_back(isPlan ? s : RayTree::noSurface);
         areHoled.push_back(cutOutOf(scene, scene.surfaces[s]) != nullptr);
         ranks.push_back(isBack(scene, s) ? -number : number + count);
       }
+    }
   }
 
   /// A triangle in space.
@@ -78,7 +111,8 @@ std::vector<FaceInPlace> facesInPlaceOf(const Scene& scene, const SceneTriangles
   const double tolerance = contactTolerance(scene);
   const auto& [a, b, c] = triangles.positions[t];
   std::vector<std::uint32_t> numbers;
-  tree.appendNear(glm::min(glm::min(a, b), c) - tolerance, glm::max(glm::max(a, b), c) + tolerance, numbers);
+  tree.appendNear(glm::min(glm::min(a, b), c) - tolerance, glm::max(glm::max(a, b), c) + tolerance, numbers,
+                  triangles.plans[t]);
   std::vector<NumberedTriangle> near;
   for (const std::uint32_t number : numbers)
     if (number != t && !triangles.areHoled[number % triangles.areHoled.size()])

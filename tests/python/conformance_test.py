@@ -99,6 +99,27 @@ def test_solve_with_a_rasterizer_equals_the_reference() -> None:
     assert calls and np.array_equal(found.radiosity, hx.solve(elements, **options).radiosity)
 
 
+@pytest.mark.parametrize("device", ["software", "vulkan"])
+def test_solve_and_rows_with_a_device_equal_the_reference(device: hx.Device) -> None:
+    elements = hx.discretize(hx.load_scene(DATA / "cornell-box.obj"), texels=2)
+    options = {"residual": 0.5, "resolution": 32}
+    try:
+        found = hx.solve(elements, rasterizer=device, **options)
+    except hx.InputError as error:
+        if "test vectors wrongly" in str(error):
+            raise
+        pytest.skip(f"no device: {error}")
+    assert np.array_equal(found.radiosity, hx.solve(elements, **options).radiosity)
+    row = hx.form_factor_row(elements, "floor", resolution=32)
+    drawn = hx.form_factor_row(elements, "floor", resolution=32, rasterizer=device)
+    assert np.array_equal(drawn.form_factor, row.form_factor)
+
+
+def test_unknown_devices_are_errors_with_the_names_of_all() -> None:
+    with pytest.raises(hx.InputError, match="vulkan-compute"):
+        hx.solve(hx.load_scene(DATA / "cornell-box.obj"), rasterizer="vulcan")
+
+
 def test_errors_of_a_rasterizer_reach_the_caller() -> None:
     scene = hx.load_scene(DATA / "cornell-box.obj")
 

@@ -27,6 +27,20 @@ json withoutTimes(json value) {
 
 }  // namespace
 
+TEST_CASE("hemitex tradeoff --device has the errors of the software, by a judged device", "[cli]") {
+  const Shell shell;
+  const std::string quick = "tradeoff room.obj --texels 2 --patch 1 --samples 128 --method hemicube=32 --json ";
+  const tests::Outcome drawn = shell.run(quick + "-o drawn --device vulkan");
+  if (drawn.exitCode == 2) {
+    WARN("skipped: no Vulkan device: " << drawn.err);
+    return;
+  }
+  const json result = json::parse(drawn.out), expected = json::parse(shell.output(quick + "-o expected"));
+  CHECK(result["settings"]["device"].get<std::string>() != "");
+  CHECK(result["choices"][0]["radiosity_error"] == expected["choices"][0]["radiosity_error"]);
+  CHECK(result["choices"][0]["row_error"] == expected["choices"][0]["row_error"]);
+}
+
 TEST_CASE("hemitex tradeoff writes a table, an object and a page, the same for any number of threads except times",
           "[cli]") {
   const Shell shell;

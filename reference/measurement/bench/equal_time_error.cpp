@@ -8,7 +8,6 @@
 #include "radiosity/form_factors/projected_form_factors.h"
 #include "radiosity/index_maps/id_layout.h"
 #include "radiosity/index_maps/scene_draw_list.h"
-#include "raster/software/software_renderer.h"
 #include "reference/measurement/bench/timing.h"
 #include "reference/truth/rays/embree_form_factors.h"
 #include "reference/truth/rays/ray_source.h"
@@ -98,13 +97,13 @@ RowComparison compareRows(const radiosity::Scene& scene, const radiosity::Discre
     result.truthError += sumOfStandardErrors(row) / static_cast<double>(truth.size());
 
   const radiosity::IdLayout layout = radiosity::layOut(discretization);
-  raster::SoftwareRenderer renderer(radiosity::makeDrawList(scene, discretization, layout));
+  const auto renderer = settings.makeRenderer(radiosity::makeDrawList(scene, discretization, layout));
   std::vector<Contender> contenders;
   const auto addHemicubes = [&](const std::vector<int>& resolutions, radiosity::Orientation orientation,
                                 std::vector<RowQuality>& group) {
     for (const int resolution : resolutions) {
       const auto rows = std::make_shared<radiosity::ProjectedFormFactors>(
-          scene, discretization, layout, renderer, radiosity::ViewSettings{resolution, orientation});
+          scene, discretization, layout, *renderer, radiosity::ViewSettings{resolution, orientation});
       contenders.push_back(
           {[rows](const radiosity::Patch& patch) { return rows->ofPatch(patch); }, group, {.size = resolution}});
     }

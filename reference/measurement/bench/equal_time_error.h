@@ -8,6 +8,7 @@
 
 #include "radiosity/discretization/discretization.h"
 #include "radiosity/form_factors/form_factor_row.h"
+#include "radiosity/form_factors/scene_form_factors.h"
 #include "radiosity/scene/scene.h"
 #include "reference/truth/rays/monte_carlo_form_factors.h"
 
@@ -37,6 +38,7 @@ struct RowComparisonSettings {
   std::size_t points = 24;
   int truthSamples = 1 << 10;  ///< of the aimed rays for true rows
   int repeats = 5;
+  radiosity::RendererFactory makeRenderer = radiosity::softwareRenderer;
 };
 
 struct RowComparison {

@@ -30,7 +30,7 @@ struct PaperScene {
 
 /// A device that draws item buffers.
 struct PaperDevice {
-  std::string name;  ///< software or opengl
+  std::string name;  ///< software, or that of a hardware device
   radiosity::RendererFactory makeRenderer;
   /// Maximum number of elements that all shots by meshing draw together; at least one shot is made. More would take too
   /// long.

@@ -19,7 +19,7 @@ struct PublishedTimes {
 };
 
 /// The times of Table 1 (simple scene) or Table 2 (complex scene) for a run. `device` software stands for software
-/// vertex processing, opengl for hardware. Resolutions 128 and 512 stand for the lower and the higher resolution of the
+/// vertex processing, others for hardware. Resolutions 128 and 512 stand for the lower and the higher resolution of the
 /// paper. Nothing if the paper has no such run.
 std::optional<PublishedTimes> publishedTimes(const PaperRun& run);
 

@@ -40,13 +40,15 @@ struct TimedSolution {
 };
 
 /// The rows of patches that did not shoot are computed after the time is taken.
-TimedSolution timedSolution(const Scene& scene, const TradeMethod& method, const TradeChoice& choice) {
+TimedSolution timedSolution(const Scene& scene, const TradeMethod& method, const TradeChoice& choice,
+                            const radiosity::RendererFactory& makeRenderer) {
   TimedSolution timed;
   Rows& rows = timed.rows;
   const TradeRows source = method.rows(choice.setting);
   radiosity::RowSource rowOf;
   const Stopwatch watch;
   const radiosity::LightHooks hooks{
+      .makeRenderer = makeRenderer,
       .rows =
           [&](radiosity::PatchRows drawn, const Scene& of, const Discretization& elements) {
             radiosity::PatchRows found = source.others ? source.others(drawn, of, elements) : std::move(drawn);
@@ -136,12 +138,13 @@ void markFront(std::vector<TradeMeasurement>& measurements) {
 std::vector<TradeMeasurement> measureTradeoff(const Scene& scene, const Discretization& fine,
                                               const TrueRadiosity& truth, const std::vector<TradeMethod>& methods,
                                               const std::vector<TradeChoice>& choices,
-                                              const std::function<void(std::size_t, std::size_t)>& progress) {
+                                              const std::function<void(std::size_t, std::size_t)>& progress,
+                                              const radiosity::RendererFactory& makeRenderer) {
   std::vector<TradeMeasurement> measurements;
   const auto secondsOf = [&](std::size_t i, int round) {
     if (progress) progress(static_cast<std::size_t>(round) * choices.size() + i, choices.size() * tradeRounds);
     const TradeMethod& method = methods[choices[i].method];
-    TimedSolution timed = timedSolution(scene, method, choices[i]);
+    TimedSolution timed = timedSolution(scene, method, choices[i], makeRenderer);
     if (round == 0) measurements.push_back(judge(fine, truth, method, choices[i], timed));
     return timed.seconds;
   };

@@ -57,12 +57,14 @@ struct TradeMeasurement {
 /// error, and less time or a smaller error.
 void markFront(std::vector<TradeMeasurement>& measurements);
 
-/// Measures all choices. `fine` has the elements of the truth; its number of texels must be a multiple of those of the
-/// choices. `progress` is called before each solution with the number of finished solutions and of all.
-std::vector<TradeMeasurement> measureTradeoff(const radiosity::Scene& scene, const radiosity::Discretization& fine,
-                                              const TrueRadiosity& truth, const std::vector<TradeMethod>& methods,
-                                              const std::vector<TradeChoice>& choices,
-                                              const std::function<void(std::size_t, std::size_t)>& progress = {});
+/// Measures all choices; `makeRenderer` makes what draws rows. `fine` has the elements of the truth; its number of
+/// texels must be a multiple of those of the choices. `progress` is called before each solution with the number of
+/// finished solutions and of all.
+std::vector<TradeMeasurement> measureTradeoff(
+    const radiosity::Scene& scene, const radiosity::Discretization& fine, const TrueRadiosity& truth,
+    const std::vector<TradeMethod>& methods, const std::vector<TradeChoice>& choices,
+    const std::function<void(std::size_t, std::size_t)>& progress = {},
+    const radiosity::RendererFactory& makeRenderer = radiosity::softwareRenderer);
 
 /// The expected statistical error of the true rows of patches of a discretization.
 RowError trueRowError(const radiosity::Discretization& fine, const TrueRadiosity& truth,

@@ -742,8 +742,9 @@ TEST_CASE("separatedAtWalls makes one surface per side of a wall that reaches fr
     for (const Element& element : discretization.elements) {
       const Surface& surface = scene.surfaces[element.surface];
       if (surface.name == nameOf(surface.family, leftPart))
-        CHECK(elementCentre(scene, discretization, std::uint32_t(&element - discretization.elements.data()))
-                  .position.x < left);
+        CHECK(
+            elementCentre(scene, discretization, std::uint32_t(&element - discretization.elements.data())).position.x <
+            left);
     }
   }
 }
@@ -760,9 +761,9 @@ TEST_CASE("separatedAtWalls keeps surfaces that objects do not divide, and the a
   CHECK(separatedAtWalls(open).surfaces.size() == open.surfaces.size());
   const Scene low = tests::sceneOf(joined({room(), box("wall", {1.97, 0, 0}, {0.08, 3, 1.9})}));
   CHECK(separatedAtWalls(low).surfaces.size() == low.surfaces.size() + 1);
-  const Scene framed = tests::sceneOf(
-      joined({room(), box("a", {1, 1, 0}, {1, 0.1, 1}), box("b", {1, 1.9, 0}, {1, 0.1, 1}),
-              box("c", {1, 1.1, 0}, {0.1, 0.8, 1}), box("d", {1.9, 1.1, 0}, {0.1, 0.8, 1})}));
+  const Scene framed =
+      tests::sceneOf(joined({room(), box("a", {1, 1, 0}, {1, 0.1, 1}), box("b", {1, 1.9, 0}, {1, 0.1, 1}),
+                             box("c", {1, 1.1, 0}, {0.1, 0.8, 1}), box("d", {1.9, 1.1, 0}, {0.1, 0.8, 1})}));
   const Scene separated = separatedAtWalls(framed);
   CHECK(separated.surfaces.size() == framed.surfaces.size() + 1);
   CHECK(exposedArea(discretize(separated, {.texels = 5}), numberOf(separated, "room0#2")) == Approx(0.8 * 0.8));
@@ -771,4 +772,19 @@ TEST_CASE("separatedAtWalls keeps surfaces that objects do not divide, and the a
       {room(), transformed(box("wall", {1.97, -3, 0}, {0.08, 9, 2}), aboutZ(12.0 / 13, -5.0 / 13), {2, 1.4, 0})}));
   CHECK(areaOfAll(separatedAtWalls(rotated)) == Approx(areaOfAll(rotated)));
   CHECK(separatedAtWalls(rotated).surfaces.size() == rotated.surfaces.size() + 4);
+}
+
+TEST_CASE("separatedAtWalls finds the sides of a wall among many objects, which it cuts in cells", "[exposure]") {
+  Surfaces all = joined({room(), box("wall", {1.97, 0, 0}, {0.08, 3, 2})});
+  constexpr int rows = 18;
+  for (int i = 0; i < rows; ++i)
+    for (int j = 0; j < rows; ++j) {
+      const Surfaces leg = box("leg", {2.1 + 0.1 * i, 0.05 + 0.16 * j, 0}, {0.05, 0.07, 0.7});
+      all.insert(all.end(), leg.begin(), leg.end());
+    }
+  const Scene whole = tests::sceneOf(all), scene = separatedAtWalls(whole);
+  CHECK(scene.surfaces.size() == whole.surfaces.size() + 4);
+  const Discretization discretization = discretize(scene, {.texels = 4});
+  CHECK(exposedArea(discretization, numberOf(scene, "room0#1")) == Approx(3 * 1.97));
+  CHECK(exposedArea(discretization, numberOf(scene, "room0#2")) == Approx(3 * 1.95 - rows * rows * 0.05 * 0.07));
 }

@@ -1,7 +1,7 @@
-#include "cli/devices/renderers.h"
 #include "raster/base/input_error.h"
+#include "reference/devices/choice/renderers.h"
 
-namespace hemitex::cli {
+namespace hemitex::reference {
 
 std::unique_ptr<raster::ItemBufferRenderer> makeOpenGlRenderer(const raster::DrawList&, Device,
                                                                const std::string& name) {
@@ -13,4 +13,4 @@ std::string openGlDeviceName(const std::string&) {
   throw raster::InputError("this program was built without OpenGL", "install libepoxy-dev and build hemitex again");
 }
 
-}  // namespace hemitex::cli
+}  // namespace hemitex::reference

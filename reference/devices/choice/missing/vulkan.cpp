@@ -1,7 +1,7 @@
-#include "cli/devices/renderers.h"
 #include "raster/base/input_error.h"
+#include "reference/devices/choice/renderers.h"
 
-namespace hemitex::cli {
+namespace hemitex::reference {
 
 std::unique_ptr<raster::ItemBufferRenderer> makeVulkanRenderer(const raster::DrawList&, Device,
                                                                const std::string& name) {
@@ -14,4 +14,4 @@ std::string vulkanDeviceName(const std::string&) {
                            "install libvulkan-dev and glslang-tools and build hemitex again");
 }
 
-}  // namespace hemitex::cli
+}  // namespace hemitex::reference
