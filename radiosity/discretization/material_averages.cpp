@@ -3,8 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
+#include <tuple>
+#include <utility>
 
+#include "radiosity/cut_outs/chart_map.h"
 #include "radiosity/geometry/grid_clipping.h"
+#include "raster/base/parallel.h"
 
 namespace hemitex::radiosity {
 namespace {
@@ -89,16 +94,51 @@ glm::dvec3 meanOver(const Piece& piece, const Triangle& triangle, const CornerCo
   return weight > 0 ? sum / weight : sum;
 }
 
-}  // namespace
-
-std::vector<glm::dvec3> meansOfMap(const Scene& scene, const Surface& surface, const Grid& grid,
-                                   std::optional<int> Material::*map) {
-  const bool isColoured = map == &Material::reflectanceMap && surface.hasColours;
+/// The image of a map; null without one.
+const Image* imageOf(const Scene& scene, const Surface& surface, std::optional<int> Material::*map) {
   const std::optional<int>& number = scene.materials[static_cast<std::size_t>(surface.material)].*map;
-  if (!number && !isColoured) return std::vector<glm::dvec3>(grid.elementCount, glm::dvec3(1));
-  const Image white{1, 1, {glm::dvec3(1)}}, &image = number ? scene.images[static_cast<std::size_t>(*number)] : white;
-  const std::optional<Image> reduced = reducedFor(surface, image);
-  const Image& sized = reduced ? *reduced : image;
+  return number ? &scene.images[static_cast<std::size_t>(*number)] : nullptr;
+}
+
+/// A card: a square with an image, in whose place a surface has the same means.
+struct Card {
+  Surface square;
+  std::array<glm::dvec2, 4> texcoords;
+};
+
+std::optional<Card> cardOf(const Surface& surface, const Grid& grid, const Image& image) {
+  if (surface.hasColours || !grid.cutTexels.empty() || !isWholeParallelogram(surface)) return std::nullopt;
+  const auto texcoord = textureMap(surface, image.sampler, {image.width, image.height});
+  if (!texcoord) return std::nullopt;
+  constexpr std::array<glm::dvec2, 4> corners{glm::dvec2(0, 0), glm::dvec2(1, 0), glm::dvec2(1, 1), glm::dvec2(0, 1)};
+  Card card;
+  for (std::size_t k = 0; k < 4; ++k) card.texcoords[k] = (*texcoord)(corners[k]);
+  for (const std::array<std::size_t, 3>& triangle : {std::array<std::size_t, 3>{0, 1, 2}, {0, 2, 3}}) {
+    Triangle& half = card.square.triangles.emplace_back();
+    for (std::size_t k = 0; k < 3; ++k) {
+      half.chart[k] = corners[triangle[k]];
+      half.texcoord[k] = card.texcoords[triangle[k]];
+      half.position[k] = {half.chart[k], 0};
+    }
+  }
+  return card;
+}
+
+/// What the means of a card depend on.
+auto keyOf(const Card& card, const Grid& grid, const Image& image) {
+  std::vector<double> places;
+  for (const glm::dvec2& texcoord : card.texcoords) places.insert(places.end(), {texcoord.x, texcoord.y});
+  std::vector<std::uint32_t> elements = grid.elementOfTexel;
+  for (std::uint32_t& element : elements) element -= grid.firstElement;
+  return std::tuple{&image, grid.columns, texelGrid(grid).mask, std::move(places), std::move(elements)};
+}
+
+/// The means over one surface; of the colours of corners alone without an image.
+std::vector<glm::dvec3> meansOver(const Surface& surface, const Grid& grid, const Image* image, bool isColoured) {
+  if (!image && !isColoured) return std::vector<glm::dvec3>(grid.elementCount, glm::dvec3(1));
+  const Image white{1, 1, {glm::dvec3(1)}}, &whole = image ? *image : white;
+  const std::optional<Image> reduced = reducedFor(surface, whole);
+  const Image& sized = reduced ? *reduced : whole;
   std::vector<glm::dvec3> sum(grid.elementCount);
   std::vector<double> weight(grid.elementCount);
   forEachExposedPiece(surface, texelGrid(grid), [&](std::size_t texel, std::uint32_t t, const Piece& piece) {
@@ -114,6 +154,30 @@ std::vector<glm::dvec3> meansOfMap(const Scene& scene, const Surface& surface, c
   });
   for (std::size_t element = 0; element < sum.size(); ++element) sum[element] /= weight[element];
   return sum;
+}
+
+}  // namespace
+
+std::vector<std::vector<glm::dvec3>> meansOfMap(const Scene& scene, std::span<const Grid> grids,
+                                                std::optional<int> Material::*map) {
+  std::vector<std::vector<glm::dvec3>> means(scene.surfaces.size());
+  std::vector<std::optional<Card>> cards(means.size());
+  std::map<decltype(keyOf(*cards[0], grids[0], scene.images[0])), std::size_t> first;
+  std::vector<std::size_t> sameAs;  // the surface that has the means, of each
+  for (std::size_t s = 0; s < means.size(); ++s) {
+    const Image* const image = imageOf(scene, scene.surfaces[s], map);
+    if (image) cards[s] = cardOf(scene.surfaces[s], grids[s], *image);
+    sameAs.push_back(cards[s] ? first.try_emplace(keyOf(*cards[s], grids[s], *image), s).first->second : s);
+  }
+  raster::parallelFor(means.size(), [&](std::size_t s) {
+    const Surface& surface = scene.surfaces[s];
+    if (sameAs[s] == s)
+      means[s] = meansOver(cards[s] ? cards[s]->square : surface, grids[s], imageOf(scene, surface, map),
+                           map == &Material::reflectanceMap && surface.hasColours);
+  });
+  for (std::size_t s = 0; s < means.size(); ++s)
+    if (sameAs[s] != s) means[s] = means[sameAs[s]];
+  return means;
 }
 
 Image halved(const Image& image) {
