@@ -113,7 +113,8 @@ std::optional<Card> cardOf(const Surface& surface, const Grid& grid, const Image
   constexpr std::array<glm::dvec2, 4> corners{glm::dvec2(0, 0), glm::dvec2(1, 0), glm::dvec2(1, 1), glm::dvec2(0, 1)};
   Card card;
   for (std::size_t k = 0; k < 4; ++k) card.texcoords[k] = (*texcoord)(corners[k]);
-  for (const std::array<std::size_t, 3>& triangle : {std::array<std::size_t, 3>{0, 1, 2}, {0, 2, 3}}) {
+  constexpr std::array<std::array<std::size_t, 3>, 2> halves{{{0, 1, 2}, {0, 2, 3}}};
+  for (const std::array<std::size_t, 3>& triangle : halves) {
     Triangle& half = card.square.triangles.emplace_back();
     for (std::size_t k = 0; k < 3; ++k) {
       half.chart[k] = corners[triangle[k]];
@@ -124,35 +125,51 @@ std::optional<Card> cardOf(const Surface& surface, const Grid& grid, const Image
   return card;
 }
 
-/// What the means of a card depend on.
+/// What the integrals over a card depend on.
 auto keyOf(const Card& card, const Grid& grid, const Image& image) {
   std::vector<double> places;
   for (const glm::dvec2& texcoord : card.texcoords) places.insert(places.end(), {texcoord.x, texcoord.y});
-  std::vector<std::uint32_t> elements = grid.elementOfTexel;
-  for (std::uint32_t& element : elements) element -= grid.firstElement;
-  return std::tuple{&image, grid.columns, texelGrid(grid).mask, std::move(places), std::move(elements)};
+  return std::tuple{&image, grid.columns, grid.rows, texelGrid(grid).mask, std::move(places)};
 }
 
-/// The means over one surface; of the colours of corners alone without an image.
-std::vector<glm::dvec3> meansOver(const Surface& surface, const Grid& grid, const Image* image, bool isColoured) {
-  if (!image && !isColoured) return std::vector<glm::dvec3>(grid.elementCount, glm::dvec3(1));
+/// The integral of an image over each texel of a grid, and the area there.
+struct Integrals {
+  std::vector<glm::dvec3> sum;
+  std::vector<double> weight;
+};
+
+/// Over one surface; of the colours of corners alone without an image, and empty without both.
+Integrals integralsOver(const Surface& surface, const Grid& grid, const Image* image, bool isColoured) {
+  if (!image && !isColoured) return {};
   const Image white{1, 1, {glm::dvec3(1)}}, &whole = image ? *image : white;
   const std::optional<Image> reduced = reducedFor(surface, whole);
   const Image& sized = reduced ? *reduced : whole;
-  std::vector<glm::dvec3> sum(grid.elementCount);
-  std::vector<double> weight(grid.elementCount);
+  Integrals integrals{std::vector<glm::dvec3>(grid.elementOfTexel.size()),
+                      std::vector<double>(grid.elementOfTexel.size())};
   forEachExposedPiece(surface, texelGrid(grid), [&](std::size_t texel, std::uint32_t t, const Piece& piece) {
     const Triangle& triangle = surface.triangles[t];
-    const std::size_t element = grid.elementOfTexel[texel] - grid.firstElement;
     const double pieceArea = share(piece) * area(triangle);
     CornerColours colours;
     for (std::size_t k = 0; k < 3; ++k) colours[k] = isColoured ? glm::dvec3(triangle.colour[k]) : glm::dvec3(1);
     const glm::dvec3 mean = isOnePixel(sized) ? sized.pixels[0] * colourAt(colours, centroid(piece))
                                               : meanOver(piece, triangle, colours, sized);
-    sum[element] += pieceArea * mean;
-    weight[element] += pieceArea;
+    integrals.sum[texel] += pieceArea * mean;
+    integrals.weight[texel] += pieceArea;
   });
-  for (std::size_t element = 0; element < sum.size(); ++element) sum[element] /= weight[element];
+  return integrals;
+}
+
+std::vector<glm::dvec3> meansOf(const Integrals& integrals, const Grid& grid) {
+  if (integrals.sum.empty()) return std::vector<glm::dvec3>(grid.elementCount, glm::dvec3(1));
+  std::vector<glm::dvec3> sum(grid.elementCount);
+  std::vector<double> weight(grid.elementCount);
+  for (std::size_t texel = 0; texel < integrals.sum.size(); ++texel) {
+    const std::size_t element = grid.elementOfTexel[texel] - grid.firstElement;
+    sum[element] += integrals.sum[texel];
+    weight[element] += integrals.weight[texel];
+  }
+  for (std::size_t element = 0; element < sum.size(); ++element)
+    if (weight[element] > 0) sum[element] /= weight[element];
   return sum;
 }
 
@@ -160,23 +177,23 @@ std::vector<glm::dvec3> meansOver(const Surface& surface, const Grid& grid, cons
 
 std::vector<std::vector<glm::dvec3>> meansOfMap(const Scene& scene, std::span<const Grid> grids,
                                                 std::optional<int> Material::*map) {
-  std::vector<std::vector<glm::dvec3>> means(scene.surfaces.size());
-  std::vector<std::optional<Card>> cards(means.size());
+  std::vector<Integrals> integrals(scene.surfaces.size());
+  std::vector<std::optional<Card>> cards(integrals.size());
   std::map<decltype(keyOf(*cards[0], grids[0], scene.images[0])), std::size_t> first;
-  std::vector<std::size_t> sameAs;  // the surface that has the means, of each
-  for (std::size_t s = 0; s < means.size(); ++s) {
+  std::vector<std::size_t> sameAs;  // the surface that has the integrals, of each
+  for (std::size_t s = 0; s < integrals.size(); ++s) {
     const Image* const image = imageOf(scene, scene.surfaces[s], map);
     if (image) cards[s] = cardOf(scene.surfaces[s], grids[s], *image);
     sameAs.push_back(cards[s] ? first.try_emplace(keyOf(*cards[s], grids[s], *image), s).first->second : s);
   }
-  raster::parallelFor(means.size(), [&](std::size_t s) {
+  raster::parallelFor(integrals.size(), [&](std::size_t s) {
     const Surface& surface = scene.surfaces[s];
     if (sameAs[s] == s)
-      means[s] = meansOver(cards[s] ? cards[s]->square : surface, grids[s], imageOf(scene, surface, map),
-                           map == &Material::reflectanceMap && surface.hasColours);
+      integrals[s] = integralsOver(cards[s] ? cards[s]->square : surface, grids[s], imageOf(scene, surface, map),
+                                   map == &Material::reflectanceMap && surface.hasColours);
   });
-  for (std::size_t s = 0; s < means.size(); ++s)
-    if (sameAs[s] != s) means[s] = means[sameAs[s]];
+  std::vector<std::vector<glm::dvec3>> means;
+  for (std::size_t s = 0; s < integrals.size(); ++s) means.push_back(meansOf(integrals[sameAs[s]], grids[s]));
   return means;
 }
 
