@@ -4,25 +4,23 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
+
+#include "radiosity/cut_outs/chart_map.h"
 
 namespace hemitex::radiosity {
 namespace {
 
-/// The number of pixels of a cut-out along the axes of the chart, of the triangle with the most.
-glm::dvec2 pixelsAlong(const CutOut& cutOut, const Surface& surface) {
-  glm::dvec2 most(1);
+using TextureMap = AffineMap<glm::dvec2>;
+
+/// The number of pixels of a cut-out along the axes of a chart.
+glm::dvec2 pixelsAlong(const CutOut& cutOut, const TextureMap& map) {
   const glm::dvec2 size(cutOut.width, cutOut.height);
-  for (const Triangle& triangle : surface.triangles) {
-    const glm::dvec2 c1 = triangle.chart[1] - triangle.chart[0], c2 = triangle.chart[2] - triangle.chart[0];
-    const auto pixels = [&](std::size_t k) {
-      return size * (cutOut.sampler(triangle.texcoord[k]) - cutOut.sampler(triangle.texcoord[0]));
-    };
-    const double determinant = c1.x * c2.y - c1.y * c2.x;
-    const glm::dvec2 p1 = pixels(1), p2 = pixels(2), u = (c2.y * p1 - c1.y * p2) / determinant,
-                     v = (c1.x * p2 - c2.x * p1) / determinant;
-    most = glm::max(most, glm::dvec2(std::max(std::abs(u.x), std::abs(u.y)), std::max(std::abs(v.x), std::abs(v.y))));
-  }
-  return most;
+  const auto along = [&](const glm::dvec2& axis) {
+    const glm::dvec2 pixels = glm::abs(size * (cutOut.sampler(axis) - cutOut.sampler(glm::dvec2(0))));
+    return std::max({pixels.x, pixels.y, 1.0});
+  };
+  return {along(map.alongU), along(map.alongV)};
 }
 
 /// The number of texels of the mask per texel of the grid. The factor allows for the rounding of charts.
@@ -39,10 +37,23 @@ glm::dvec3 weightsOf(const std::array<glm::dvec2, 3>& corner, const glm::dvec2& 
   return {1 - second - third, second, third};
 }
 
+TexelMask emptyMask(int columns, int rows) {
+  return {columns, rows, std::vector<bool>(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows))};
+}
+
+TexelMask maskOf(const CutOut& cutOut, const TextureMap& map, int columns, int rows) {
+  TexelMask mask = emptyMask(columns, rows);
+  std::size_t texel = 0;
+  for (int row = 0; row < rows; ++row)
+    for (int column = 0; column < columns; ++column)
+      mask.isHole[texel++] = isHoleAt(cutOut, map((glm::dvec2(column, row) + 0.5) / glm::dvec2(columns, rows)));
+  return mask;
+}
+
 /// Of the triangles at the middle of a texel, the one that contains it most decides; without one there, that which is
 /// nearest in its weights, at its border.
 TexelMask maskOf(const CutOut& cutOut, const Surface& surface, int columns, int rows) {
-  TexelMask mask{columns, rows, std::vector<bool>(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows))};
+  TexelMask mask = emptyMask(columns, rows);
   std::vector<double> inside(mask.isHole.size(), std::numeric_limits<double>::lowest());
   const glm::dvec2 size(columns, rows);
   for (const Triangle& triangle : surface.triangles) {
@@ -114,15 +125,38 @@ void forEachOpaqueBox(const TexelMask& mask, const TexelBox& box, const std::fun
 std::shared_ptr<const TexelMask> TexelMasks::of(const Surface& surface, int columns, int rows) {
   const CutOut* const cutOut = cutOutOf(scene_, surface);
   if (cutOut == nullptr) return nullptr;
-  const glm::dvec2 pixels = pixelsAlong(*cutOut, surface);
-  const int maskColumns = columns * texelsPerTexel(pixels.x, columns), maskRows = rows * texelsPerTexel(pixels.y, rows);
+  const std::optional<TextureMap> map = textureMap(surface, cutOut->sampler, {cutOut->width, cutOut->height});
+  glm::dvec2 pixels(1);
   std::vector<double> places;
-  for (const Triangle& triangle : surface.triangles)
-    for (std::size_t k = 0; k < 3; ++k)
-      places.insert(places.end(),
-                    {triangle.chart[k].x, triangle.chart[k].y, triangle.texcoord[k].x, triangle.texcoord[k].y});
+  if (map) {
+    pixels = pixelsAlong(*cutOut, *map);
+    places = {map->alongU.x, map->alongU.y, map->alongV.x, map->alongV.y, map->origin.x, map->origin.y};
+  } else {
+    for (const Triangle& triangle : surface.triangles) {
+      pixels = glm::max(pixels, pixelsAlong(*cutOut, TextureMap(triangle.chart, triangle.texcoord)));
+      for (std::size_t k = 0; k < 3; ++k)
+        places.insert(places.end(),
+                      {triangle.chart[k].x, triangle.chart[k].y, triangle.texcoord[k].x, triangle.texcoord[k].y});
+    }
+  }
+  const int maskColumns = columns * texelsPerTexel(pixels.x, columns), maskRows = rows * texelsPerTexel(pixels.y, rows);
   const auto [known, isNew] = known_.try_emplace({cutOut, maskColumns, maskRows, std::move(places)});
-  if (isNew) known->second = std::make_shared<TexelMask>(maskOf(*cutOut, surface, maskColumns, maskRows));
+  if (isNew)
+    known->second = std::make_shared<TexelMask>(map ? maskOf(*cutOut, *map, maskColumns, maskRows)
+                                                    : maskOf(*cutOut, surface, maskColumns, maskRows));
+  return known->second;
+}
+
+std::shared_ptr<const TexelMask> TexelMasks::ofPixels(const CutOut& cutOut) {
+  const auto [known, isNew] = known_.try_emplace({&cutOut, cutOut.width, cutOut.height, {}});
+  if (isNew) {
+    TexelMask mask{cutOut.width, cutOut.height, {}};
+    for (std::ptrdiff_t row = cutOut.height - 1; row >= 0; --row) {
+      const auto begin = cutOut.isHole.begin() + row * cutOut.width;
+      mask.isHole.insert(mask.isHole.end(), begin, begin + cutOut.width);
+    }
+    known->second = std::make_shared<TexelMask>(std::move(mask));
+  }
   return known->second;
 }
 

@@ -34,6 +34,9 @@ class TexelMasks {
   /// texel is a hole if the pixel at its middle is one.
   std::shared_ptr<const TexelMask> of(const Surface& surface, int columns, int rows);
 
+  /// The pixels of the image of a cut-out as texels.
+  std::shared_ptr<const TexelMask> ofPixels(const CutOut& cutOut);
+
  private:
   using Key = std::tuple<const CutOut*, int, int, std::vector<double>>;
   const Scene& scene_;

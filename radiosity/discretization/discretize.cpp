@@ -197,14 +197,6 @@ bool hasMap(const Scene& scene, std::optional<int> Material::*map) {
   });
 }
 
-/// One value per element: that of the material times the average of its map, if any.
-std::vector<glm::dvec3> mappedValues(const Scene& scene, const Surface& surface, const Grid& grid,
-                                     const glm::dvec3& value, std::optional<int> Material::*map) {
-  std::vector<glm::dvec3> values = meansOfMap(scene, surface, grid, map);
-  for (glm::dvec3& mean : values) mean *= value;
-  return values;
-}
-
 /// The discretization of one surface; elements and patches are numbered from 0. `quadtree` may be null.
 Discretization discretizeSurface(const Scene& scene, std::uint32_t number, const DiscretizationSettings& settings,
                                  const GridSize& size, const Quadtree* quadtree, const Exposure& exposure,
@@ -332,12 +324,10 @@ void averageMaps(const Scene& scene, Discretization& discretization) {
   const auto valuesOf = [&](glm::dvec3 Material::*value, std::optional<int> Material::*map) {
     std::vector<glm::dvec3> values;
     if (!hasMap(scene, map)) return values;
-    std::vector<std::vector<glm::dvec3>> ofSurface(scene.surfaces.size());
-    raster::parallelFor(ofSurface.size(), [&](std::size_t s) {
-      const Material& material = scene.materials[static_cast<std::size_t>(scene.surfaces[s].material)];
-      ofSurface[s] = mappedValues(scene, scene.surfaces[s], discretization.grids[s], material.*value, map);
-    });
-    for (const std::vector<glm::dvec3>& some : ofSurface) values.insert(values.end(), some.begin(), some.end());
+    const std::vector<std::vector<glm::dvec3>> means = meansOfMap(scene, discretization.grids, map);
+    for (std::size_t s = 0; s < means.size(); ++s)
+      for (const glm::dvec3& mean : means[s])
+        values.push_back(mean * scene.materials[static_cast<std::size_t>(scene.surfaces[s].material)].*value);
     return values;
   };
   discretization.mappedReflectance = valuesOf(&Material::reflectance, &Material::reflectanceMap);

@@ -7,7 +7,6 @@
 
 #include "radiosity/base/kahan_sum.h"
 #include "radiosity/discretization/material_averages.h"
-#include "raster/base/parallel.h"
 
 namespace hemitex::radiosity {
 namespace {
@@ -36,15 +35,15 @@ BandTable tableOf(const std::vector<glm::dvec3>& colours) {
 BandTable ofElements(const Scene& scene, const Discretization& discretization, const BandTable& ofMaterials,
                      std::optional<int> Material::*map, double largest) {
   BandTable table(discretization.elements.size(), ofMaterials.bands);
-  raster::parallelFor(scene.surfaces.size(), [&](std::size_t s) {
+  const std::vector<std::vector<glm::dvec3>> means = meansOfMap(scene, discretization.grids, map);
+  for (std::size_t s = 0; s < means.size(); ++s) {
     const auto material = static_cast<std::size_t>(scene.surfaces[s].material);
     const Grid& grid = discretization.grids[s];
-    const std::vector<glm::dvec3> means = meansOfMap(scene, scene.surfaces[s], grid, map);
     for (std::uint32_t i = 0; i < grid.elementCount; ++i)
       for (std::size_t band = 0; band < table.bands; ++band)
         table[grid.firstElement + i][band] =
-            std::min(means[i][channelOf(scene, band)] * ofMaterials[material][band], largest);
-  });
+            std::min(means[s][i][channelOf(scene, band)] * ofMaterials[material][band], largest);
+  }
   return table;
 }
 

@@ -3,8 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
+#include <tuple>
+#include <utility>
 
+#include "radiosity/cut_outs/chart_map.h"
 #include "radiosity/geometry/grid_clipping.h"
+#include "raster/base/parallel.h"
 
 namespace hemitex::radiosity {
 namespace {
@@ -89,31 +94,107 @@ glm::dvec3 meanOver(const Piece& piece, const Triangle& triangle, const CornerCo
   return weight > 0 ? sum / weight : sum;
 }
 
-}  // namespace
-
-std::vector<glm::dvec3> meansOfMap(const Scene& scene, const Surface& surface, const Grid& grid,
-                                   std::optional<int> Material::*map) {
-  const bool isColoured = map == &Material::reflectanceMap && surface.hasColours;
+/// The image of a map; null without one.
+const Image* imageOf(const Scene& scene, const Surface& surface, std::optional<int> Material::*map) {
   const std::optional<int>& number = scene.materials[static_cast<std::size_t>(surface.material)].*map;
-  if (!number && !isColoured) return std::vector<glm::dvec3>(grid.elementCount, glm::dvec3(1));
-  const Image white{1, 1, {glm::dvec3(1)}}, &image = number ? scene.images[static_cast<std::size_t>(*number)] : white;
-  const std::optional<Image> reduced = reducedFor(surface, image);
-  const Image& sized = reduced ? *reduced : image;
-  std::vector<glm::dvec3> sum(grid.elementCount);
-  std::vector<double> weight(grid.elementCount);
+  return number ? &scene.images[static_cast<std::size_t>(*number)] : nullptr;
+}
+
+/// A card: a square with an image, in whose place a surface has the same means.
+struct Card {
+  Surface square;
+  std::array<glm::dvec2, 4> texcoords;
+};
+
+std::optional<Card> cardOf(const Surface& surface, const Grid& grid, const Image& image) {
+  if (surface.hasColours || !grid.cutTexels.empty() || !isWholeParallelogram(surface)) return std::nullopt;
+  const auto texcoord = textureMap(surface, image.sampler, {image.width, image.height});
+  if (!texcoord) return std::nullopt;
+  constexpr std::array<glm::dvec2, 4> corners{glm::dvec2(0, 0), glm::dvec2(1, 0), glm::dvec2(1, 1), glm::dvec2(0, 1)};
+  Card card;
+  for (std::size_t k = 0; k < 4; ++k) card.texcoords[k] = (*texcoord)(corners[k]);
+  constexpr std::array<std::array<std::size_t, 3>, 2> halves{{{0, 1, 2}, {0, 2, 3}}};
+  for (const std::array<std::size_t, 3>& triangle : halves) {
+    Triangle& half = card.square.triangles.emplace_back();
+    for (std::size_t k = 0; k < 3; ++k) {
+      half.chart[k] = corners[triangle[k]];
+      half.texcoord[k] = card.texcoords[triangle[k]];
+      half.position[k] = {half.chart[k], 0};
+    }
+  }
+  return card;
+}
+
+/// What the integrals over a card depend on.
+auto keyOf(const Card& card, const Grid& grid, const Image& image) {
+  std::vector<double> places;
+  for (const glm::dvec2& texcoord : card.texcoords) places.insert(places.end(), {texcoord.x, texcoord.y});
+  return std::tuple{&image, grid.columns, grid.rows, texelGrid(grid).mask, std::move(places)};
+}
+
+/// The integral of an image over each texel of a grid, and the area there.
+struct Integrals {
+  std::vector<glm::dvec3> sum;
+  std::vector<double> weight;
+};
+
+/// Over one surface; of the colours of corners alone without an image, and empty without both.
+Integrals integralsOver(const Surface& surface, const Grid& grid, const Image* image, bool isColoured) {
+  if (!image && !isColoured) return {};
+  const Image white{1, 1, {glm::dvec3(1)}}, &whole = image ? *image : white;
+  const std::optional<Image> reduced = reducedFor(surface, whole);
+  const Image& sized = reduced ? *reduced : whole;
+  Integrals integrals{std::vector<glm::dvec3>(grid.elementOfTexel.size()),
+                      std::vector<double>(grid.elementOfTexel.size())};
   forEachExposedPiece(surface, texelGrid(grid), [&](std::size_t texel, std::uint32_t t, const Piece& piece) {
     const Triangle& triangle = surface.triangles[t];
-    const std::size_t element = grid.elementOfTexel[texel] - grid.firstElement;
     const double pieceArea = share(piece) * area(triangle);
     CornerColours colours;
     for (std::size_t k = 0; k < 3; ++k) colours[k] = isColoured ? glm::dvec3(triangle.colour[k]) : glm::dvec3(1);
     const glm::dvec3 mean = isOnePixel(sized) ? sized.pixels[0] * colourAt(colours, centroid(piece))
                                               : meanOver(piece, triangle, colours, sized);
-    sum[element] += pieceArea * mean;
-    weight[element] += pieceArea;
+    integrals.sum[texel] += pieceArea * mean;
+    integrals.weight[texel] += pieceArea;
   });
-  for (std::size_t element = 0; element < sum.size(); ++element) sum[element] /= weight[element];
+  return integrals;
+}
+
+std::vector<glm::dvec3> meansOf(const Integrals& integrals, const Grid& grid) {
+  if (integrals.sum.empty()) return std::vector<glm::dvec3>(grid.elementCount, glm::dvec3(1));
+  std::vector<glm::dvec3> sum(grid.elementCount);
+  std::vector<double> weight(grid.elementCount);
+  for (std::size_t texel = 0; texel < integrals.sum.size(); ++texel) {
+    const std::size_t element = grid.elementOfTexel[texel] - grid.firstElement;
+    sum[element] += integrals.sum[texel];
+    weight[element] += integrals.weight[texel];
+  }
+  for (std::size_t element = 0; element < sum.size(); ++element)
+    if (weight[element] > 0) sum[element] /= weight[element];
   return sum;
+}
+
+}  // namespace
+
+std::vector<std::vector<glm::dvec3>> meansOfMap(const Scene& scene, std::span<const Grid> grids,
+                                                std::optional<int> Material::*map) {
+  std::vector<Integrals> integrals(scene.surfaces.size());
+  std::vector<std::optional<Card>> cards(integrals.size());
+  std::map<decltype(keyOf(*cards[0], grids[0], scene.images[0])), std::size_t> first;
+  std::vector<std::size_t> sameAs;  // the surface that has the integrals, of each
+  for (std::size_t s = 0; s < integrals.size(); ++s) {
+    const Image* const image = imageOf(scene, scene.surfaces[s], map);
+    if (image) cards[s] = cardOf(scene.surfaces[s], grids[s], *image);
+    sameAs.push_back(cards[s] ? first.try_emplace(keyOf(*cards[s], grids[s], *image), s).first->second : s);
+  }
+  raster::parallelFor(integrals.size(), [&](std::size_t s) {
+    const Surface& surface = scene.surfaces[s];
+    if (sameAs[s] == s)
+      integrals[s] = integralsOver(cards[s] ? cards[s]->square : surface, grids[s], imageOf(scene, surface, map),
+                                   map == &Material::reflectanceMap && surface.hasColours);
+  });
+  std::vector<std::vector<glm::dvec3>> means;
+  for (std::size_t s = 0; s < integrals.size(); ++s) means.push_back(meansOf(integrals[sameAs[s]], grids[s]));
+  return means;
 }
 
 Image halved(const Image& image) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <utility>
@@ -84,6 +85,23 @@ struct TexelPlace {
   }
 };
 
+/// The lower corner of the period of a cut-out that shows all corners of triangles; nothing if no period does, if it is
+/// mirrored, or if the image is too large for an index map.
+std::optional<glm::dvec2> periodOf(const CutOut& cutOut, std::span<const Triangle> triangles) {
+  if (std::max(cutOut.width, cutOut.height) > largestMask) return std::nullopt;
+  glm::dvec2 low(std::numeric_limits<double>::max()), high = -low;
+  for (const Triangle& triangle : triangles)
+    for (const glm::dvec2& texcoord : triangle.texcoord) {
+      low = glm::min(low, cutOut.sampler(texcoord));
+      high = glm::max(high, cutOut.sampler(texcoord));
+    }
+  const glm::dvec2 period = glm::floor(low);
+  if (high.x > period.x + 1 || high.y > period.y + 1) return std::nullopt;
+  for (int axis = 0; axis < 2; ++axis)
+    if (period[axis] != 0 && cutOut.sampler.wrap[static_cast<std::size_t>(axis)] != Wrap::Repeat) return std::nullopt;
+  return period;
+}
+
 }  // namespace
 
 raster::Draw& appendDraw(raster::DrawList& list, std::span<const Triangle> triangles, const Instance& instance,
@@ -99,26 +117,26 @@ raster::Draw& appendDraw(raster::DrawList& list, std::span<const Triangle> trian
   return list.draws.back();
 }
 
-std::optional<int> HoleMaps::numberOf(raster::DrawList& list, const Surface& surface) {
-  const std::shared_ptr<const TexelMask> mask = masks_.of(surface, 1, 1);
-  if (!mask) return std::nullopt;
+void HoleMaps::cut(raster::DrawList& list, std::size_t draw, const Surface& surface,
+                   std::span<const Triangle> triangles, const Instance& instance) {
+  list.draws[draw].indexMap = std::nullopt;
+  const CutOut* const cutOut = cutOutOf(scene_, surface);
+  if (cutOut == nullptr) return;
+  const std::optional<glm::dvec2> period = periodOf(*cutOut, triangles);
+  const std::shared_ptr<const TexelMask> mask = period ? masks_.ofPixels(*cutOut) : masks_.of(surface, 1, 1);
   const auto [known, isNew] = numbers_.try_emplace(mask, static_cast<int>(list.indexMaps.size()));
   if (isNew) {
     raster::IndexMap map{mask->columns, mask->rows, {}};
     for (const bool isHole : mask->isHole) map.ids.push_back(isHole ? raster::holeTexel : 0);
     list.indexMaps.push_back(std::move(map));
   }
-  return known->second;
-}
-
-void HoleMaps::cutLast(raster::DrawList& list, const Surface& surface, std::span<const Triangle> triangles,
-                       const Instance& instance) {
-  raster::Draw& draw = list.draws.back();
-  draw.indexMap = numberOf(list, surface);
-  if (!draw.indexMap) return;
-  std::size_t corner = draw.first;
-  for (const Triangle& triangle : triangles)
-    for (const glm::dvec2& chart : placed(triangle, instance).chart) list.texcoords[corner++] = chart;
+  list.draws[draw].indexMap = known->second;
+  std::size_t corner = list.draws[draw].first;
+  for (const Triangle& triangle : triangles) {
+    const Triangle there = placed(triangle, instance);
+    for (std::size_t k = 0; k < 3; ++k)
+      list.texcoords[corner++] = period ? cutOut->sampler(there.texcoord[k]) - *period : there.chart[k];
+  }
 }
 
 raster::DrawList makeDrawList(const Scene& scene, const Discretization& discretization, const IdLayout& layout) {
@@ -158,7 +176,7 @@ raster::DrawList drawListWithBlockers(const Scene& scene, const Discretization& 
     list.draws[draw].offset = blocker;
     list.draws[draw].back = {};
     const Surface& surface = scene.surfaces[draw % scene.surfaces.size()];
-    list.draws[draw].indexMap = holes.numberOf(list, surface);
+    holes.cut(list, draw, surface, surface.triangles, scene.instances[draw / scene.surfaces.size()]);
   }
   return list;
 }

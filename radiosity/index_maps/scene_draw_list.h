@@ -38,15 +38,16 @@ raster::Draw& appendDraw(raster::DrawList& list, std::span<const Triangle> trian
 /// Cuts the holes of surfaces into draws whose item IDs are only offsets: each gets an index map of zeros and holes.
 class HoleMaps {
  public:
-  explicit HoleMaps(const Scene& scene) : masks_(scene) {}
+  explicit HoleMaps(const Scene& scene) : scene_(scene), masks_(scene) {}
 
-  /// The number of the index map of a surface, which is appended if it is new; none without a cut-out.
-  std::optional<int> numberOf(raster::DrawList& list, const Surface& surface);
-  /// Cuts the last draw of a list, which has these triangles of a surface.
-  void cutLast(raster::DrawList& list, const Surface& surface, std::span<const Triangle> triangles,
-               const Instance& instance);
+  /// Cuts a draw of the list, which has these triangles of a surface. Its texture coordinates become places in the
+  /// image of the cut-out, where they lie in one period of it. Else they are those of the chart. Without a cut-out the
+  /// draw has no index map.
+  void cut(raster::DrawList& list, std::size_t draw, const Surface& surface, std::span<const Triangle> triangles,
+           const Instance& instance);
 
  private:
+  const Scene& scene_;
   TexelMasks masks_;
   std::map<std::shared_ptr<const TexelMask>, int> numbers_;  ///< of index maps
 };

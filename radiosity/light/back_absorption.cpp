@@ -19,7 +19,7 @@ raster::DrawList drawsOfBacks(const Scene& scene) {
     for (std::size_t s = 0; s < scene.surfaces.size(); ++s) {
       const Surface& surface = scene.surfaces[s];
       appendDraw(list, surface.triangles, instance, scene.origin).back = static_cast<raster::ItemId>(s + 1);
-      holes.cutLast(list, surface, surface.triangles, instance);
+      holes.cut(list, list.draws.size() - 1, surface, surface.triangles, instance);
     }
   return list;
 }

@@ -19,7 +19,8 @@ raster::DrawList makeTriangleList(const Scene& scene) {
   forEachPlace(scene, [&](const TrianglePlace& place) {
     const Triangle& triangle = scene.surfaces[place.surface].triangles[place.triangle];
     appendDraw(list, {&triangle, 1}, scene.instances[place.instance], scene.origin).offset = number++;
-    holes.cutLast(list, scene.surfaces[place.surface], {&triangle, 1}, scene.instances[place.instance]);
+    holes.cut(list, list.draws.size() - 1, scene.surfaces[place.surface], {&triangle, 1},
+              scene.instances[place.instance]);
   });
   return list;
 }

@@ -210,6 +210,27 @@ TEST_CASE("a leaf that is green where it is opaque and white in its holes is gre
   }
 }
 
+TEST_CASE("cards share their mask and their means, however they are divided and turned", "[cutout]") {
+  const auto isRound = [](double u, double v) { return std::hypot(u - 0.45, v - 0.52) < 0.37; };
+  const std::string card =
+      "v -1 -1 1\nv 1 -1 1\nv 1 1 1\nv -1 1 1\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nvt .4 .3\nv -.2 -.4 1\n"
+      "g leaf\nusemtl leaf\nf 9/1 10/2 11/3 12/4\n";
+  const std::string divided =
+      "v .3 -.6 3\nv 1.5 -.6 3\nv 1.5 .6 3.2\nv .3 .6 3.2\nv .78 -.24 3.06\ng other\nusemtl leaf\n"
+      "f 14/1 15/2 18/5\nf 15/2 16/3 18/5\nf 16/3 17/4 18/5\nf 17/4 14/1 18/5\n";
+  const Scene scene = load(card + divided, isRound, {}, "map_Kd leaf.png\n");
+  REQUIRE((scene.surfaces.size() == 4 && scene.surfaces[3].triangles.size() == 4));
+  for (const int texels : {1, 3, 8}) {
+    const Discretization discretization = discretize(scene, {.texels = texels});
+    const Grid &whole = discretization.grids[2], &parts = discretization.grids[3];
+    CHECK(whole.mask == parts.mask);
+    REQUIRE(whole.elementCount == parts.elementCount);
+    for (std::uint32_t i = 0; i < whole.elementCount; ++i)
+      CHECK(reflectance(scene, discretization, whole.firstElement + i) ==
+            reflectance(scene, discretization, parts.firstElement + i));
+  }
+}
+
 TEST_CASE("fillHoles gives holes the colour beside them, also those of a finer and of a coarser cut-out", "[cutout]") {
   const glm::dvec3 red(1, 0, 0), green(0, 1, 0), white(1);
   Image image{4, 1, {white, red, green, white}};
