@@ -50,8 +50,8 @@ std::vector<LitTexels> texelsOf(const Scene& scene, const Discretization& discre
 /// `isCancelled`, which may be null, becomes true.
 void addDirectLight(const DirectLight& direct, LitTexels& texels, const std::atomic<bool>* isCancelled);
 
-/// The unit normals at the corners of the triangles of each curved surface; others have none. A vertex has one normal in
-/// all charts of its part, so that light agrees where charts meet: the mean of its triangles by the cross product of
+/// The unit normals at the corners of the triangles of each curved surface; others have none. A vertex has one normal
+/// in all charts of its part, so that light agrees where charts meet: the mean of its triangles by the cross product of
 /// their edges over the squares of their lengths, exact on a sphere (Max 1999).
 using CornerNormals = std::vector<std::vector<std::array<glm::dvec3, 3>>>;
 CornerNormals smoothNormals(const Scene& scene);
