@@ -213,7 +213,7 @@ GatheredPicture gatheredPicture(const Scene& scene, const Discretization& discre
   std::vector<LitTexels> all{pixels.texels()};
   const std::vector<std::uint32_t> curved = pixels.curvedSurfaces();
   const Magnifications magnifications = magnificationsOf(textures);
-  const std::vector<glm::dvec3> normals = smoothNormals(scene, discretization);
+  const CornerNormals normals = smoothNormals(scene);
   for (const std::uint32_t s : curved) all.push_back(texelsOf(scene, discretization, normals, s, magnifications[s]));
   gatherer.light(all);
   std::vector<CurvedLight> curvedLight(scene.surfaces.size());

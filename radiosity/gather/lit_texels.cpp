@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <string_view>
+#include <tuple>
 #include <utility>
 
 #include "radiosity/discretization/patch_points.h"
-#include "radiosity/textures/texture_filter.h"
 #include "raster/base/parallel.h"
 
 namespace hemitex::radiosity {
@@ -46,16 +48,19 @@ std::optional<LitPlace> placeOf(const Surface& surface, const Grid& grid, std::u
   return place;
 }
 
-/// Gives the texels of a curved surface the filtered normals of its elements.
-void smooth(const Scene& scene, const Discretization& discretization, const std::vector<glm::dvec3>& normals,
-            std::uint32_t surface, int magnification, LitTexels& texels) {
-  const Grid& grid = discretization.grids[surface];
-  const TextureFilter filter = grid.quadtree ? TextureFilter::OneToOne : TextureFilter::Bicubic;
-  const std::vector<glm::dvec3> filtered =
-      filteredTexels(scene, discretization, surface, normals, filter, magnification);
-  for (std::size_t i = 0; i < filtered.size(); ++i)
-    if (texels.places[i] && glm::dot(filtered[i], texels.places[i]->point.normal) > 0)
-      texels.places[i]->point.normal = glm::normalize(filtered[i]);
+/// Gives the texels of a curved surface normals between those of the corners of its triangles.
+void smooth(const Surface& surface, const std::vector<std::array<glm::dvec3, 3>>& normals, LitTexels& texels) {
+  for (std::optional<LitPlace>& place : texels.places) {
+    if (!place) continue;
+    SurfacePoint& point = place->point;
+    const auto& [a, b, c] = surface.triangles[point.triangle].position;
+    const auto share = [&](const glm::dvec3& p, const glm::dvec3& q) {
+      return glm::dot(glm::cross(p - point.position, q - point.position), point.normal);
+    };
+    const std::array<glm::dvec3, 3>& corners = normals[point.triangle];
+    const glm::dvec3 mean = share(b, c) * corners[0] + share(c, a) * corners[1] + share(a, b) * corners[2];
+    if (glm::dot(mean, point.normal) > 0) point.normal = glm::normalize(mean);
+  }
 }
 
 /// A source is weak at texels where it raises the light of the sources before it by no more than this share.
@@ -158,7 +163,7 @@ class SourceTexels {
 
 std::vector<LitTexels> texelsOf(const Scene& scene, const Discretization& discretization,
                                 const Magnifications& magnifications) {
-  const std::vector<glm::dvec3> normals = smoothNormals(scene, discretization);
+  const CornerNormals normals = smoothNormals(scene);
   std::vector<LitTexels> all(scene.surfaces.size());
   raster::parallelFor(all.size(), [&](std::size_t s) {
     all[s] = texelsOf(scene, discretization, normals, static_cast<std::uint32_t>(s), magnifications[s]);
@@ -171,17 +176,37 @@ void addDirectLight(const DirectLight& direct, LitTexels& texels, const std::ato
     SourceTexels(direct, source, texels, isCancelled).add();
 }
 
-std::vector<glm::dvec3> smoothNormals(const Scene& scene, const Discretization& discretization) {
-  std::vector<glm::dvec3> normals(discretization.elements.size());
-  for (std::size_t s = 0; s < scene.surfaces.size(); ++s) {
-    if (!scene.surfaces[s].curvedPart) continue;
-    const std::vector<glm::dvec3> means = meanNormals(scene.surfaces[s], discretization.grids[s]);
-    std::copy(means.begin(), means.end(), normals.begin() + discretization.grids[s].firstElement);
+CornerNormals smoothNormals(const Scene& scene) {
+  using Vertex = std::tuple<std::string_view, std::uint32_t, double, double, double>;  // of a curved part
+  const auto vertexOf = [](const Surface& surface, const glm::dvec3& p) {
+    return Vertex(surface.family, *surface.curvedPart, p.x, p.y, p.z);
+  };
+  std::map<Vertex, glm::dvec3> sums;
+  for (const Surface& surface : scene.surfaces) {
+    if (!surface.curvedPart) continue;
+    for (const Triangle& triangle : surface.triangles)
+      for (std::size_t k = 0; k < 3; ++k) {
+        const glm::dvec3& p = triangle.position[k];
+        const glm::dvec3 next = triangle.position[(k + 1) % 3] - p, last = triangle.position[(k + 2) % 3] - p;
+        sums[vertexOf(surface, p)] += glm::cross(next, last) / (glm::dot(next, next) * glm::dot(last, last));
+      }
+  }
+  CornerNormals normals(scene.surfaces.size());
+  for (std::size_t s = 0; s < normals.size(); ++s) {
+    const Surface& surface = scene.surfaces[s];
+    if (!surface.curvedPart) continue;
+    for (const Triangle& triangle : surface.triangles) {
+      std::array<glm::dvec3, 3>& corners = normals[s].emplace_back();
+      for (std::size_t k = 0; k < 3; ++k) {
+        const glm::dvec3 sum = sums.at(vertexOf(surface, triangle.position[k]));
+        corners[k] = glm::dot(sum, sum) > 0 ? glm::normalize(sum) : glm::dvec3(0);
+      }
+    }
   }
   return normals;
 }
 
-LitTexels texelsOf(const Scene& scene, const Discretization& discretization, const std::vector<glm::dvec3>& normals,
+LitTexels texelsOf(const Scene& scene, const Discretization& discretization, const CornerNormals& normals,
                    std::uint32_t surface, int magnification) {
   const Grid& grid = discretization.grids[surface];
   LitTexels texels;
@@ -196,7 +221,7 @@ LitTexels texelsOf(const Scene& scene, const Discretization& discretization, con
       texels.places[texels.at(column, static_cast<int>(row))] =
           placeOf(scene.surfaces[surface], grid, surface, column, static_cast<int>(row), magnification, isPlane);
   });
-  if (scene.surfaces[surface].curvedPart) smooth(scene, discretization, normals, surface, magnification, texels);
+  if (scene.surfaces[surface].curvedPart) smooth(scene.surfaces[surface], normals[surface], texels);
   return texels;
 }
 

@@ -6,6 +6,7 @@
 /// corners and middle see all of the source, or nothing.
 #pragma once
 
+#include <array>
 #include <atomic>
 #include <cstddef>
 #include <optional>
@@ -49,10 +50,13 @@ std::vector<LitTexels> texelsOf(const Scene& scene, const Discretization& discre
 /// `isCancelled`, which may be null, becomes true.
 void addDirectLight(const DirectLight& direct, LitTexels& texels, const std::atomic<bool>* isCancelled);
 
-/// The mean normals of the elements of curved surfaces, and 0 for others.
-std::vector<glm::dvec3> smoothNormals(const Scene& scene, const Discretization& discretization);
+/// The unit normals at the corners of the triangles of each curved surface; others have none. A vertex has one normal
+/// in all charts of its part, so that light agrees where charts meet: the mean of its triangles by the cross product of
+/// their edges over the squares of their lengths, exact on a sphere (Max 1999).
+using CornerNormals = std::vector<std::vector<std::array<glm::dvec3, 3>>>;
+CornerNormals smoothNormals(const Scene& scene);
 /// The texels of one surface, without light; `normals` are smoothNormals of the scene.
-LitTexels texelsOf(const Scene& scene, const Discretization& discretization, const std::vector<glm::dvec3>& normals,
+LitTexels texelsOf(const Scene& scene, const Discretization& discretization, const CornerNormals& normals,
                    std::uint32_t surface, int magnification);
 
 }  // namespace hemitex::radiosity
