@@ -24,7 +24,20 @@ struct GltfLitTriangle {
 struct NamedLightMap {
   std::string name;  ///< of its texture
   GltfLightMap map;
+  bool usesSecondCoordinates = false;  ///< whether its coordinates are those that the file has as TEXCOORD_1
 };
+
+/// The affine function with the given values at the corners of a triangle, at a place in its plane.
+inline glm::dvec2 affineAt(const std::array<glm::dvec3, 3>& corners, const std::array<glm::dvec2, 3>& values,
+                           const glm::dvec3& place) {
+  for (std::size_t k = 0; k < 3; ++k)
+    if (corners[k] == place) return values[k];
+  const glm::dvec3 a = corners[1] - corners[0], b = corners[2] - corners[0], p = place - corners[0];
+  const double aa = glm::dot(a, a), ab = glm::dot(a, b), bb = glm::dot(b, b), determinant = aa * bb - ab * ab;
+  const double s = (glm::dot(p, a) * bb - glm::dot(p, b) * ab) / determinant,
+               t = (glm::dot(p, b) * aa - glm::dot(p, a) * ab) / determinant;
+  return values[0] + s * (values[1] - values[0]) + t * (values[2] - values[0]);
+}
 
 /// What the module exports under the name `hemitexGltfEditor`.
 struct GltfEditor {
@@ -34,6 +47,9 @@ struct GltfEditor {
                         const std::vector<GltfLitTriangle>& triangles, const std::vector<NamedLightMap>& maps,
                         std::string& edited);
 };
+
+/// Reads the parts of a glTF file again. Returns a problem for a file that has changed since.
+ImportProblem readParts(const std::filesystem::path& source, GltfImport& import);
 
 /// Writes `file`, which is `source` with light maps. Returns why the source is not edited, or nothing; then no file is
 /// written. Throws InputError if a file cannot be read or written.

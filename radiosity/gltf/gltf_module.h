@@ -109,13 +109,14 @@ struct ImportedNode {
 
 /// The triangles of a mesh in a node that share a material.
 struct ImportedPart {
-  int node = 0;                        ///< in GltfImport::nodes
-  std::optional<int> material = {};    ///< in GltfImport::materials
-  std::vector<glm::dvec3> positions;   ///< one per vertex, in world space
-  std::vector<glm::dvec2> texcoords;   ///< one per vertex, or empty; v = 0 is the TOP of an image
-  std::vector<glm::dvec3> colours;     ///< linear, one per vertex, or empty
-  std::vector<glm::dvec3> normals;     ///< one per vertex, in world space, of any length; or empty
-  std::vector<std::uint32_t> corners;  ///< three vertices per triangle, counter-clockwise seen from the front
+  int node = 0;                          ///< in GltfImport::nodes
+  std::optional<int> material = {};      ///< in GltfImport::materials
+  std::vector<glm::dvec3> positions;     ///< one per vertex, in world space
+  std::vector<glm::dvec2> texcoords;     ///< one per vertex, or empty; v = 0 is the TOP of an image
+  std::vector<glm::dvec2> secondCoords;  ///< TEXCOORD_1, as `texcoords`
+  std::vector<glm::dvec3> colours;       ///< linear, one per vertex, or empty
+  std::vector<glm::dvec3> normals;       ///< one per vertex, in world space, of any length; or empty
+  std::vector<std::uint32_t> corners;    ///< three vertices per triangle, counter-clockwise seen from the front
 };
 
 struct ImportedCamera {

@@ -8,6 +8,7 @@
 #include "radiosity/gltf/gltf_light_maps.h"
 #include "radiosity/textures/lit_scene.h"
 #include "radiosity/textures/radiosity_texture.h"
+#include "radiosity/textures/second_coordinates.h"
 #include "raster/base/file_io.h"
 #include "raster/base/input_error.h"
 #include "raster/base/parallel.h"
@@ -116,16 +117,21 @@ std::vector<std::string> writeLightMaps(const std::filesystem::path& folder, con
                                         const std::vector<Image>& linear, const PictureView& view) {
   const std::filesystem::path images = folder / "lightmaps";
   std::filesystem::create_directory(images);
-  writeTextures(images, layout.names, maps.textures, linear);
   std::vector<std::string> warnings;
   if (scene.up == 1 && !scene.files.empty()) {  // glTF
+    FileLightMaps lit{litTriangles(scene, discretization, layout), namedLightMaps(layout, maps), maps.textures, linear};
+    warnings = useSecondCoordinates(scene.files.front(), lit);
     const std::string problem =
-        writeWithLightMaps(folder / "lightmap.glb", scene.files.front(), litTriangles(scene, discretization, layout),
-                           namedLightMaps(layout, maps));
-    if (problem.empty()) return {};
-    warnings.push_back("lightmap.glb has only what hemitex reads of the scene, because the file is not edited: " +
-                       problem);
+        writeWithLightMaps(folder / "lightmap.glb", scene.files.front(), lit.triangles, lit.maps);
+    if (problem.empty()) {
+      std::vector<std::string> names;
+      for (const NamedLightMap& map : lit.maps) names.push_back(map.name);
+      writeTextures(images, names, lit.textures, lit.linear);
+      return warnings;
+    }
+    warnings = {"lightmap.glb has only what hemitex reads of the scene, because the file is not edited: " + problem};
   }
+  writeTextures(images, layout.names, maps.textures, linear);
   GltfModel model;
   model.origin = scene.origin;
   for (std::size_t i = 0; i < scene.images.size(); ++i)

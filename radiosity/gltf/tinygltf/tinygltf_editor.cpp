@@ -43,15 +43,8 @@ struct EditedTriangle {
 
 /// The affine function of the coordinates of a lit triangle at a place in its plane.
 glm::vec2 coordinateAt(const GltfLitTriangle& lit, const glm::dvec3& place) {
-  for (std::size_t k = 0; k < 3; ++k)
-    if (lit.positions[k] == place) return lit.lightMapCoords[k];
-  const glm::dvec3 a = lit.positions[1] - lit.positions[0], b = lit.positions[2] - lit.positions[0],
-                   p = place - lit.positions[0];
-  const double aa = glm::dot(a, a), ab = glm::dot(a, b), bb = glm::dot(b, b), determinant = aa * bb - ab * ab;
-  const double s = (glm::dot(p, a) * bb - glm::dot(p, b) * ab) / determinant,
-               t = (glm::dot(p, b) * aa - glm::dot(p, a) * ab) / determinant;
-  const glm::dvec2 first(lit.lightMapCoords[0]), second(lit.lightMapCoords[1]), third(lit.lightMapCoords[2]);
-  return glm::clamp(first + s * (second - first) + t * (third - first), 0.0, 1.0);
+  const auto& [a, b, c] = lit.lightMapCoords;
+  return glm::clamp(affineAt(lit.positions, {a, b, c}, place), 0.0, 1.0);
 }
 
 class Editor {
@@ -252,12 +245,13 @@ class Editor {
     return primitives;
   }
 
-  /// A primitive with coordinates of a light map. If each of all `vertices` has one, only they are added; else vertices
-  /// are written anew. `hasBacks`: whether this or another one is a back.
+  /// A primitive with coordinates of a light map, its own second ones or new ones. If each of all `vertices` has one,
+  /// only they are added; else vertices are written anew. `hasBacks`: whether this or another one is a back.
   json withLightMap(json primitive, int map, const std::vector<EditedTriangle>& triangles, std::size_t vertices,
                     bool hasBacks) {
-    int set = 0;
-    while (primitive["attributes"].contains("TEXCOORD_" + std::to_string(set))) ++set;
+    const bool hasSet = maps_.at(static_cast<std::size_t>(map)).usesSecondCoordinates;
+    int set = hasSet ? 1 : 0;
+    while (!hasSet && primitive["attributes"].contains("TEXCOORD_" + std::to_string(set))) ++set;
     std::map<std::tuple<std::uint32_t, float, float, bool>, std::uint32_t> numbers;
     std::map<std::uint32_t, std::uint32_t> copies;  // of a vertex
     std::vector<std::uint32_t> sources, corners;
@@ -266,7 +260,7 @@ class Editor {
     bool hasCopies = vertices == 0;
     for (const EditedTriangle& triangle : triangles)
       for (std::size_t k = 0; k < 3; ++k) {
-        const glm::vec2& coordinate = triangle.coordinates[k];
+        const glm::vec2 coordinate = hasSet ? glm::vec2(0) : triangle.coordinates[k];  // each vertex has one already
         const auto [known, isNew] =
             numbers.try_emplace({triangle.corners[k], coordinate.x, coordinate.y, triangle.isBack},
                                 static_cast<std::uint32_t>(sources.size()));
@@ -288,13 +282,14 @@ class Editor {
         for (json& target : primitive["targets"]) moveTo(target);
       primitive["indices"] = appendAccessor(corners, TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT, "SCALAR");
       primitive["mode"] = TINYGLTF_MODE_TRIANGLES;
-    } else {
+    } else if (!hasSet) {
       std::vector<glm::vec2> ofVertices(vertices, glm::vec2(0));
       for (std::size_t v = 0; v < sources.size(); ++v) ofVertices[sources[v]] = coordinates[v];
       coordinates = std::move(ofVertices);
     }
-    primitive["attributes"]["TEXCOORD_" + std::to_string(set)] =
-        appendAccessor(coordinates, TINYGLTF_COMPONENT_TYPE_FLOAT, "VEC2");
+    if (!hasSet)
+      primitive["attributes"]["TEXCOORD_" + std::to_string(set)] =
+          appendAccessor(coordinates, TINYGLTF_COMPONENT_TYPE_FLOAT, "VEC2");
     primitive["material"] = materialWith(primitive.value("material", -1), map, set, hasBacks);
     return primitive;
   }

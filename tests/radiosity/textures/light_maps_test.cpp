@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "radiosity/discretization/discretize.h"
+#include "radiosity/discretization/patch_points.h"
 #include "radiosity/scene/load_scene.h"
 #include "radiosity/textures/lit_scene.h"
 #include "radiosity/textures/radiosity_texture.h"
@@ -203,15 +204,20 @@ struct EditedFile {
   Glb glb;
   std::vector<std::string> warnings;
 
-  EditedFile(const std::filesystem::path& folder, const json& description, bool isMasked = false) {
+  /// The irradiance of an element is the distance of its middle from x = 0, or 1.
+  EditedFile(const std::filesystem::path& folder, const json& description, bool isMasked = false,
+             const std::string& bytes = quadBytes, bool isRamp = false) {
     const std::vector<unsigned char> png =
         encodePng({2, 1, {255, 255, 255, 0, 0, 0}, {}, isMasked ? std::vector{true, false} : std::vector<bool>()}, "a");
     raster::writeFile(folder / "leaf.png", {reinterpret_cast<const char*>(png.data()), png.size()});
-    raster::writeFile(folder / "a.glb", glbBytes({description, quadBytes}));
+    raster::writeFile(folder / "a.glb", glbBytes({description, bytes}));
     scene = loadScene(folder / "a.glb");
     discretization = discretize(scene, {.texels = 4});
     layout = layOutTextures(scene, discretization, {});
-    const std::vector<glm::dvec3> irradiance(discretization.elements.size(), glm::dvec3(1));
+    std::vector<glm::dvec3> irradiance(discretization.elements.size(), glm::dvec3(1));
+    if (isRamp)
+      for (std::uint32_t e = 0; e < irradiance.size(); ++e)
+        irradiance[e] = glm::dvec3(elementCentre(scene, discretization, e).position.x);
     const LightMaps maps = makeLightMaps(scene, discretization, layout, irradiance, exposure, TextureFilter::Bilinear);
     warnings = writeLightMaps(folder, maps, scene, discretization, layout,
                               radiosityTextures(discretization, layout, irradiance), {});
@@ -324,6 +330,65 @@ TEST_CASE("writeLightMaps gives vertices of several coordinates copies, and both
   REQUIRE(found.size() == expected.size());
   for (std::size_t i = 0; i < found.size(); ++i)
     for (std::size_t k = 0; k < 5; ++k) CHECK(found[i][k] == Approx(expected[i][k]).margin(1e-6));
+
+  leaf["meshes"][0]["primitives"][0]["attributes"]["TEXCOORD_1"] = 1;  // one place for both sides
+  edited = EditedFile(folder.path, leaf, true);
+  REQUIRE(edited.warnings.size() == 2);
+  CHECK_THAT(edited.warnings[0], Catch::EndsWith("both sides of triangle 1 are lit"));
+}
+
+TEST_CASE("writeLightMaps uses second texture coordinates that are a chart", "[light-maps]") {
+  const TemporaryFolder folder;
+  json given = quads();
+  json& attributes = given["meshes"][0]["primitives"][0]["attributes"];
+  attributes["TEXCOORD_1"] = 1;  // u is x, and v = 0 where y = 1
+  const EditedFile edited(folder.path, given, false, quadBytes, true);
+  CHECK(edited.warnings.empty());
+  const json& written = edited.glb.description;
+  for (const std::size_t node : {0U, 1U}) {
+    const json& primitive = written["meshes"][written["nodes"][node]["mesh"].get<std::size_t>()]["primitives"].at(0);
+    CHECK(primitive["attributes"] == attributes);
+    const json& extras = written["materials"][primitive["material"].get<std::size_t>()]["extras"];
+    CHECK(extras["lightMapTexCoord"] == 1);
+    CHECK(extras["lightMap"].get<std::string>().ends_with("-texcoord-1.png"));
+    // Four elements lie along x: their light is a ramp between the middles of the first and the last one.
+    const Image light = readImage(folder.path / extras["lightMapLinear"].get<std::string>());
+    for (int column = 0; column < light.width; ++column) {
+      const double u = (column + 0.5) / light.width, ramp = std::clamp(u, 0.125, 0.875);
+      for (int row = 0; row < light.height; ++row)
+        CHECK(light.pixels[static_cast<std::size_t>(row * light.width + column)].x ==
+              Approx(node == 0 ? ramp : 5 - ramp).epsilon(1e-6));
+    }
+  }
+  std::size_t files = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(folder.path / "lightmaps")) files += entry.exists();
+  CHECK(files == 4);  // none that shows nothing
+}
+
+TEST_CASE("writeLightMaps says why second texture coordinates are not used", "[light-maps]") {
+  using Values = std::vector<float>;
+  const auto [values, problem] = GENERATE(table<Values, std::string>({
+      {{0, 0, 1, 0, 1, 1.5F, 0, 1}, "triangle 1 leaves the unit square"},
+      {{-0.1F, 0, 1, 0, 1, 1, 0, 1}, "triangle 1 leaves the unit square"},
+      {{0, 0, 0.5F, 0.5F, 1, 1, 0, 1}, "triangle 1 has no area in them"},
+      {{0, 0, 1, 0, 1, 1, 1, 1}, "triangle 2 has no area in them"},
+      {{0, 0, 1, 0, 1, 1, 0.9F, 0.1F}, "triangle 2 overlaps triangle 1"},
+  }));
+  const TemporaryFolder folder;
+  json given = quads();
+  given["buffers"][0]["byteLength"] = 124;
+  given["bufferViews"].push_back({{"buffer", 0}, {"byteOffset", 92}, {"byteLength", 32}});
+  given["accessors"].push_back({{"bufferView", 4}, {"componentType", 5126}, {"count", 4}, {"type", "VEC2"}});
+  given["meshes"][0]["primitives"][0]["attributes"]["TEXCOORD_1"] = 4;
+  const EditedFile edited(
+      folder.path, given, false,
+      quadBytes + std::string(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(float)));
+  REQUIRE(edited.warnings.size() == 2);  // of each node
+  for (const std::string& warning : edited.warnings)
+    CHECK_THAT(warning, Catch::Contains("TEXCOORD_1 of `quad") && Catch::EndsWith(problem));
+  const json& first = edited.glb.description["meshes"][0]["primitives"][0]["attributes"];
+  CHECK(first["TEXCOORD_1"] == 4);
+  CHECK(first.contains("TEXCOORD_2"));
 }
 
 TEST_CASE("writeLightMaps says why a glTF file is not edited", "[light-maps]") {
