@@ -30,7 +30,7 @@ json withoutTimes(json value) {
 TEST_CASE("hemitex tradeoff --device has the errors of the software, by a judged device", "[cli]") {
   const Shell shell;
   const std::string quick = "tradeoff room.obj --texels 2 --patch 1 --samples 128 --method hemicube=32 --json ";
-  const tests::Outcome drawn = shell.run(quick + "-o drawn --device vulkan");
+  const Outcome drawn = shell.run(quick + "-o drawn --device vulkan");
   if (drawn.exitCode == 2) {
     WARN("skipped: no Vulkan device: " << drawn.err);
     return;
