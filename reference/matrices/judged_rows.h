@@ -8,7 +8,8 @@
 #include <vector>
 
 #include "reference/matrices/covered_pairs.h"
-#include "reference/matrices/matrix_judge.h"
+#include "reference/matrices/judge_input.h"
+#include "reference/matrices/sparse_matrix.h"
 #include "reference/truth/rays/monte_carlo_form_factors.h"
 
 namespace hemitex::reference {

@@ -15,33 +15,15 @@
 /// The fault whose prediction fits the given rows far better than the truth is named.
 #pragma once
 
-#include <cstdint>
+#include <cstddef>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
-#include "radiosity/discretization/discretization.h"
-#include "radiosity/scene/scene.h"
+#include "reference/matrices/judge_input.h"
 #include "reference/matrices/sparse_matrix.h"
 
 namespace hemitex::reference {
-
-/// The facets of a mesh: surfaces of one element each (see facet_form_factors.h).
-struct FacetMesh {
-  const radiosity::Scene& scene;
-  const radiosity::Discretization& discretization;
-  std::vector<std::uint32_t> facetOf;  ///< of each surface; ascending
-  std::size_t facets = 0;              ///< also those without area, which have no surface
-  /// Facets that have no surface because they repeat another, corner for corner, and the other one.
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> repeated = {};
-};
-
-struct JudgeSettings {
-  double tolerance = 0.05;  ///< relative error of an entry that is no fault, >= 0
-  int rows = 32;            ///< that are measured by rays; at least 1
-  int samples = 1 << 18;    ///< rays per row, at least 64
-};
 
 struct MatrixVerdict {
   std::vector<std::string> problems;  ///< one sentence per kind, with numbers and the worst facets; empty: none found
