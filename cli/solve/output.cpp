@@ -80,15 +80,16 @@ std::vector<std::string> writeLightMaps(const std::filesystem::path& folder, con
                                         const radiosity::TextureLayout& layout, const radiosity::PictureView& view) {
   std::vector<glm::dvec3> irradiance = solved.solution.irradiance;
   for (glm::dvec3& value : irradiance) value += solved.solution.ambient;
-  const std::vector<radiosity::Image> linear =
+  std::vector<radiosity::Image> linear =
       solved.gathered ? radiosity::irradianceTextures(solved.discretization, layout, *solved.gathered)
                       : radiosity::radiosityTextures(solved.discretization, layout, irradiance);
-  const radiosity::LightMaps maps =
-      solved.gathered ? radiosity::makeLightMaps(solved.scene, solved.discretization, solved.gathered->irradiance,
-                                                 linear, exposureOf(solved))
-                      : radiosity::makeLightMaps(solved.scene, solved.discretization, layout, irradiance,
-                                                 exposureOf(solved), filterOf(solved.options));
-  return radiosity::writeLightMaps(folder, maps, solved.scene, solved.discretization, layout, linear, view);
+  radiosity::LightMaps maps = solved.gathered
+                                  ? radiosity::makeLightMaps(solved.scene, solved.discretization,
+                                                             solved.gathered->irradiance, linear, exposureOf(solved))
+                                  : radiosity::makeLightMaps(solved.scene, solved.discretization, layout, irradiance,
+                                                             exposureOf(solved), filterOf(solved.options));
+  return radiosity::writeLightMaps(folder, std::move(maps), solved.scene, solved.discretization, layout,
+                                   std::move(linear), view);
 }
 
 }  // namespace

@@ -89,6 +89,22 @@ std::vector<GltfLitTriangle> litTriangles(const Scene& scene, const Discretizati
   return triangles;
 }
 
+/// Writes the light maps in which triangles lie.
+void writeShown(const std::filesystem::path& folder, FileLightMaps lit) {
+  std::vector<bool> isShown(lit.maps.size());
+  for (const GltfLitTriangle& triangle : lit.triangles) isShown[static_cast<std::size_t>(triangle.lightMap)] = true;
+  std::vector<std::string> names;
+  std::vector<CodedImage> textures;
+  std::vector<Image> linear;
+  for (std::size_t i = 0; i < isShown.size(); ++i) {
+    if (!isShown[i]) continue;
+    names.push_back(lit.maps[i].name);
+    textures.push_back(std::move(lit.textures[i]));
+    linear.push_back(std::move(lit.linear[i]));
+  }
+  writeTextures(folder, names, textures, linear);
+}
+
 }  // namespace
 
 LightMaps makeLightMaps(const Scene& scene, const Discretization& discretization, const TextureLayout& layout,
@@ -112,26 +128,27 @@ LightMaps makeLightMaps(const Scene& scene, const Discretization& discretization
   return {exposure, scale, codedTextures(linear, exposure / scale)};
 }
 
-std::vector<std::string> writeLightMaps(const std::filesystem::path& folder, const LightMaps& maps, Scene scene,
+std::vector<std::string> writeLightMaps(const std::filesystem::path& folder, LightMaps maps, Scene scene,
                                         const Discretization& discretization, const TextureLayout& layout,
-                                        const std::vector<Image>& linear, const PictureView& view) {
+                                        std::vector<Image> linear, const PictureView& view) {
   const std::filesystem::path images = folder / "lightmaps";
   std::filesystem::create_directory(images);
   std::vector<std::string> warnings;
+  FileLightMaps lit{{}, namedLightMaps(layout, maps), std::move(maps.textures), std::move(linear)};
   if (scene.up == 1 && !scene.files.empty()) {  // glTF
-    FileLightMaps lit{litTriangles(scene, discretization, layout), namedLightMaps(layout, maps), maps.textures, linear};
+    lit.triangles = litTriangles(scene, discretization, layout);
     warnings = useSecondCoordinates(scene.files.front(), lit);
     const std::string problem =
         writeWithLightMaps(folder / "lightmap.glb", scene.files.front(), lit.triangles, lit.maps);
     if (problem.empty()) {
-      std::vector<std::string> names;
-      for (const NamedLightMap& map : lit.maps) names.push_back(map.name);
-      writeTextures(images, names, lit.textures, lit.linear);
+      writeShown(images, std::move(lit));
       return warnings;
     }
     warnings = {"lightmap.glb has only what hemitex reads of the scene, because the file is not edited: " + problem};
+    lit.textures.resize(layout.names.size());
+    lit.linear.resize(layout.names.size());
   }
-  writeTextures(images, layout.names, maps.textures, linear);
+  writeTextures(images, layout.names, lit.textures, lit.linear);
   GltfModel model;
   model.origin = scene.origin;
   for (std::size_t i = 0; i < scene.images.size(); ++i)

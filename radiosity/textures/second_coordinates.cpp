@@ -8,7 +8,9 @@
 #include <utility>
 
 #include "radiosity/geometry/chart_validation.h"
+#include "radiosity/geometry/grid_clipping.h"
 #include "radiosity/textures/file_names.h"
+#include "raster/base/cross.h"
 #include "raster/base/parallel.h"
 
 namespace hemitex::radiosity {
@@ -17,8 +19,7 @@ namespace {
 using PlaneTriangle = std::array<glm::dvec2, 3>;
 
 double area(const PlaneTriangle& triangle) {
-  const glm::dvec2 a = triangle[1] - triangle[0], b = triangle[2] - triangle[0];
-  return std::abs(a.x * b.y - a.y * b.x) / 2;
+  return std::abs(raster::cross(triangle[1] - triangle[0], triangle[2] - triangle[0])) / 2;
 }
 
 PlaneTriangle scaled(PlaneTriangle triangle, const glm::dvec2& factor) {
@@ -28,12 +29,8 @@ PlaneTriangle scaled(PlaneTriangle triangle, const glm::dvec2& factor) {
 
 /// The barycentric weights of the point of a triangle with area that is nearest to a place.
 glm::dvec3 nearestWeights(const PlaneTriangle& triangle, const glm::dvec2& place) {
-  const auto cross = [](const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y * b.x; };
-  const auto& [a, b, c] = triangle;
-  const double whole = cross(b - a, c - a);
-  const glm::dvec3 weights(cross(b - place, c - place) / whole, cross(c - place, a - place) / whole,
-                           cross(a - place, b - place) / whole);
-  if (weights.x >= 0 && weights.y >= 0 && weights.z >= 0) return weights;
+  if (const std::optional<glm::dvec2> inside = weightsAt(triangle, place))
+    return {1 - inside->x - inside->y, inside->x, inside->y};
   glm::dvec3 nearest(0);
   double least = std::numeric_limits<double>::infinity();
   for (int k = 0; k < 3; ++k) {
@@ -41,7 +38,7 @@ glm::dvec3 nearestWeights(const PlaneTriangle& triangle, const glm::dvec2& place
     const glm::dvec2 side = triangle[to] - triangle[from];
     const double t = std::clamp(glm::dot(place - triangle[from], side) / glm::dot(side, side), 0.0, 1.0);
     const glm::dvec2 apart = place - (triangle[from] + t * side);
-    if (glm::dot(apart, apart) >= least) continue;
+    if (!(glm::dot(apart, apart) < least)) continue;  // a side without length gives NaN
     least = glm::dot(apart, apart);
     nearest = glm::dvec3(0);
     nearest[k] = 1 - t;
@@ -94,7 +91,7 @@ MovedLight movedLight(const std::vector<MovedTriangle>& triangles, const FileLig
         const glm::dvec2 apart = place - mean(to, weights);
         const std::size_t texel =
             static_cast<std::size_t>(row) * static_cast<std::size_t>(side) + static_cast<std::size_t>(column);
-        if (glm::dot(apart, apart) >= distance[texel]) continue;
+        if (!(glm::dot(apart, apart) < distance[texel])) continue;
         distance[texel] = glm::dot(apart, apart);
         const glm::dvec2 from = mean(triangle.from, weights), upwards(from.x, 1 - from.y);
         const auto source = static_cast<std::size_t>(triangle.lightMap);
@@ -187,24 +184,6 @@ std::vector<LitPart> litParts(const GltfImport& import, std::vector<GltfLitTrian
   return parts;
 }
 
-void leaveOutUnused(FileLightMaps& lit) {
-  std::vector<std::optional<int>> numbers(lit.maps.size());
-  for (const GltfLitTriangle& triangle : lit.triangles) numbers[static_cast<std::size_t>(triangle.lightMap)] = 0;
-  int kept = 0;
-  FileLightMaps used;
-  for (std::size_t i = 0; i < numbers.size(); ++i) {
-    if (!numbers[i]) continue;
-    numbers[i] = kept++;
-    used.maps.push_back(std::move(lit.maps[i]));
-    used.textures.push_back(std::move(lit.textures[i]));
-    used.linear.push_back(std::move(lit.linear[i]));
-  }
-  used.triangles = std::move(lit.triangles);
-  for (GltfLitTriangle& triangle : used.triangles)
-    triangle.lightMap = *numbers[static_cast<std::size_t>(triangle.lightMap)];
-  lit = std::move(used);
-}
-
 }  // namespace
 
 std::vector<std::string> useSecondCoordinates(const std::filesystem::path& file, FileLightMaps& lit) {
@@ -238,7 +217,6 @@ std::vector<std::string> useSecondCoordinates(const std::filesystem::path& file,
     lit.textures.push_back(std::move(light[i].texture));
     lit.linear.push_back(std::move(light[i].linear));
   }
-  leaveOutUnused(lit);
   return reasons;
 }
 

@@ -19,9 +19,9 @@ struct FileLightMaps {
   std::vector<Image> linear;         ///< of maps[i].map.exr, in W/m^2; of any size
 };
 
-/// Gives each part of a glTF file whose second coordinates are a chart a light map in these coordinates; light maps
-/// that then show nothing are left out. The new ones have about the texels of the old ones, which they interpolate, and
-/// continue them around the triangles for two texels. Returns a sentence for each other part with second coordinates,
+/// Gives each part of a glTF file whose second coordinates are a chart a light map in these coordinates, behind the
+/// others, of which some then show nothing. It has about the texels of the old ones, which it interpolates, and
+/// continues them around the triangles for two texels. Returns a sentence for each other part with second coordinates,
 /// which says why they are not used. Changes nothing if the file cannot be read.
 std::vector<std::string> useSecondCoordinates(const std::filesystem::path& file, FileLightMaps& lit);
 
