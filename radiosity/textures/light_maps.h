@@ -35,9 +35,10 @@ LightMaps makeLightMaps(const Scene& scene, const Discretization& discretization
 
 /// Writes into `folder`, which exists: per texture lightmaps/NAME.png, and lightmaps/NAME.exr, the `linear` one: the
 /// irradiance in W/m^2; and lightmap.glb. Of a scene from a glTF file that is the file with coordinates in light maps
-/// added (see GltfEditor), or with second ones of its own (see useSecondCoordinates). Else it is the scene with its objects, materials and own texture coordinates, and those in
-/// light maps as second ones; emission is in W/m^2. The `extras` of each material name its light map, with scale and
-/// exposure. Returns warnings for the user. Throws InputError where a file cannot be written.
+/// added (see GltfEditor), or with second ones of its own (see useSecondCoordinates). Else it is the scene with its
+/// objects, materials and own texture coordinates, and those in light maps as second ones; emission is in W/m^2. The
+/// `extras` of each material name its light map, with scale and exposure. Returns warnings for the user. Throws
+/// InputError where a file cannot be written.
 std::vector<std::string> writeLightMaps(const std::filesystem::path& folder, LightMaps maps, Scene scene,
                                         const Discretization& discretization, const TextureLayout& layout,
                                         std::vector<Image> linear, const PictureView& view);
