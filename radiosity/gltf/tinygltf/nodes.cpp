@@ -62,12 +62,13 @@ std::vector<glm::dvec2> texcoordsOf(const tinygltf::Model& gltf, const tinygltf:
   return texcoords;
 }
 
-/// Empty if the second coordinates are missing or faulty, since a scene is complete without them.
+/// Empty if the second coordinates are missing, or faulty, with a warning: a scene is complete without them.
 std::vector<glm::dvec2> secondCoordsOf(const tinygltf::Model& gltf, const tinygltf::Primitive& primitive,
-                                       std::size_t vertices) {
+                                       std::size_t vertices, std::vector<std::string>& warnings) {
   try {
     return texcoordsOf(gltf, primitive, 1, vertices);
-  } catch (const Fault&) {
+  } catch (const Fault& fault) {
+    warnings.push_back("TEXCOORD_1 of a mesh is left out: " + fault.problem);
     return {};
   }
 }
@@ -330,7 +331,7 @@ class NodeReader {
     part.positions = positionsOf(gltf_, primitive, weights, toWorld);
     const int set = part.material ? import_.materials[static_cast<std::size_t>(*part.material)].texcoords : 0;
     part.texcoords = texcoordsOf(gltf_, primitive, set, part.positions.size());
-    part.secondCoords = secondCoordsOf(gltf_, primitive, part.positions.size());
+    part.secondCoords = secondCoordsOf(gltf_, primitive, part.positions.size(), import_.warnings);
     part.colours = coloursOf(gltf_, primitive, part.positions.size());
     part.normals = normalsOf(gltf_, primitive, part.positions.size(), toWorld);
     part.corners = cornersOf(verticesOf(gltf_, primitive, part.positions.size()), primitive.mode);

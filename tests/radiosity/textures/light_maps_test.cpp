@@ -380,9 +380,9 @@ TEST_CASE("writeLightMaps says why second texture coordinates are not used", "[l
   given["bufferViews"].push_back({{"buffer", 0}, {"byteOffset", 92}, {"byteLength", 32}});
   given["accessors"].push_back({{"bufferView", 4}, {"componentType", 5126}, {"count", 4}, {"type", "VEC2"}});
   given["meshes"][0]["primitives"][0]["attributes"]["TEXCOORD_1"] = 4;
-  const EditedFile edited(
-      folder.path, given, false,
-      quadBytes + std::string(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(float)));
+  const std::string bytes =
+      quadBytes + std::string(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(float));
+  const EditedFile edited(folder.path, given, false, bytes);
   REQUIRE(edited.warnings.size() == 2);  // of each node
   for (const std::string& warning : edited.warnings)
     CHECK_THAT(warning, Catch::Contains("TEXCOORD_1 of `quad") && Catch::EndsWith(problem));
@@ -390,6 +390,12 @@ TEST_CASE("writeLightMaps says why second texture coordinates are not used", "[l
   const json& primitive = written["meshes"][written["nodes"][0]["mesh"].get<std::size_t>()]["primitives"].at(0);
   CHECK(primitive["attributes"]["TEXCOORD_1"] == 4);
   CHECK(primitive["attributes"].contains("TEXCOORD_2"));
+
+  given["accessors"][4]["count"] = 3;  // of four vertices
+  const EditedFile faulty(folder.path, given, false, bytes);
+  CHECK(faulty.warnings.empty());
+  REQUIRE_FALSE(faulty.scene.warnings.empty());
+  CHECK_THAT(faulty.scene.warnings[0], Catch::StartsWith("TEXCOORD_1 of a mesh is left out: "));
 }
 
 TEST_CASE("writeLightMaps says why a glTF file is not edited", "[light-maps]") {
