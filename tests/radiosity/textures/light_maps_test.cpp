@@ -394,8 +394,9 @@ TEST_CASE("writeLightMaps says why second texture coordinates are not used", "[l
   given["accessors"][4]["count"] = 3;  // of four vertices
   const EditedFile faulty(folder.path, given, false, bytes);
   CHECK(faulty.warnings.empty());
-  REQUIRE_FALSE(faulty.scene.warnings.empty());
-  CHECK_THAT(faulty.scene.warnings[0], Catch::StartsWith("TEXCOORD_1 of a mesh is left out: "));
+  CHECK(std::any_of(faulty.scene.warnings.begin(), faulty.scene.warnings.end(), [](const std::string& warning) {
+    return warning.starts_with("TEXCOORD_1 of a mesh is left out: ");
+  }));
 }
 
 TEST_CASE("writeLightMaps says why a glTF file is not edited", "[light-maps]") {
