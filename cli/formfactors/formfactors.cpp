@@ -12,6 +12,7 @@
 #include "cli/scene/scene_options.h"
 #include "radiosity/discretization/exposure.h"
 #include "radiosity/scene/load_scene.h"
+#include "raster/base/lower_case.h"
 #include "reference/matrices/matrix_files.h"
 
 namespace hemitex::cli {
@@ -32,6 +33,13 @@ void requireMatrixFile(const FormFactorOptions& options) {
     usageError("-o", "`" + options.output.string() + "` does not end in .npz, .mtx or .csv");
   if (options.method == "analytic" || options.rays.aimed)
     usageError("--all", "is written with methods whose rows sum to 1; --method analytic and --aimed are none");
+}
+
+/// A table of surfaces is text: one in a file named as an archive could not be read as what its name says.
+void requireTableFile(const FormFactorOptions& options) {
+  if (reference::isMatrixFile(options.output) && raster::endingOf(options.output) != ".csv")
+    usageError("-o", "`" + options.output.string() +
+                         "` would be a table of text; end its name in .csv, or write sparse rows without --by-surface");
 }
 
 /// Meshes without materials have facets, of one texel unless another size is given.
@@ -119,7 +127,7 @@ void addFormFactors(Command program, Context& context) {
       usageError("--from", "is required; or give points with --at, or print the matrix with --all --by-surface");
     if (!options->at.empty() && !projectionNamed(options->method))
       usageError("--at", "needs a --method that draws: hemicube, single-plane or tetrahedron");
-    if (options->all && !options->bySurface) requireMatrixFile(*options);
+    if (options->all) (options->bySurface ? requireTableFile : requireMatrixFile)(*options);
     completeFacets(*options);
     if (options->maxError && !(isSparse(*options) && options->scene.settings.facets))
       usageError("--max-error", "bounds the rows of a matrix of facets; add --all --facets -o FILE.npz");

@@ -27,6 +27,7 @@
 #include "radiosity/scene/load_scene.h"
 #include "radiosity/textures/radiosity_texture.h"
 #include "raster/base/input_error.h"
+#include "raster/base/lower_case.h"
 #include "raster/software/software_renderer.h"
 
 namespace hemitex::cli {
@@ -295,7 +296,7 @@ void addRender(Command program, Context& context) {
   command.addExamples(
       {"lit/scene.obj -o picture.png --gather", "data/cornell-box.obj -o hemicube.png --show hemicube --from light"});
   command.onRead([options, command, &context] {
-    if (options->output.extension() != ".png") usageError("--output", "the name of the picture must end in .png");
+    if (raster::endingOf(options->output) != ".png") usageError("--output", "the name of the picture must end in .png");
     if (options->gather) options->show = gatheredView;
     if (std::filesystem::is_directory(options->scene.file)) options->scene.file /= "scene.obj";
     for (const char* name : {"--texels", "--texel-size", "--surface"}) options->gridsGiven |= command.isGiven(name);

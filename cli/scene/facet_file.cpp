@@ -3,12 +3,13 @@
 #include "radiosity/meshes/vtu_file.h"
 #include "radiosity/scene/load_scene.h"
 #include "raster/base/input_error.h"
+#include "raster/base/lower_case.h"
 
 namespace hemitex::cli {
 namespace {
 
 const std::filesystem::path& checked(const std::filesystem::path& file) {
-  if (file.extension() != ".vtu") throw raster::InputError(file.string(), 0, "does not end in .vtu", "rename it");
+  if (raster::endingOf(file) != ".vtu") throw raster::InputError(file.string(), 0, "does not end in .vtu", "rename it");
   return file;
 }
 

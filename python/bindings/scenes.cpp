@@ -20,6 +20,7 @@
 #include "radiosity/scene/load_scene.h"
 #include "radiosity/scene/materials.h"
 #include "radiosity/scene/mtl_file.h"
+#include "raster/base/lower_case.h"
 
 namespace hemitex::python {
 namespace {
@@ -294,7 +295,8 @@ py::tuple trianglesOf(const PythonScene& scene) {
 
 /// Writes the facets of a scene with arrays of values by their names.
 void writeFacets(const std::filesystem::path& file, const PythonScene& scene, const py::dict& values) {
-  if (file.extension() != ".vtu") throw InputError("the name of a file for ParaView does not end in .vtu", "rename it");
+  if (raster::endingOf(file) != ".vtu")
+    throw InputError("the name of a file for ParaView does not end in .vtu", "rename it");
   if (!scene.facets) throw InputError("the scene has no facets", "load it with facets=True, or make it without names");
   if (!scene.mesh && scene.scene->files.empty())
     throw InputError("the scene was edited", "give the one that it was made of");

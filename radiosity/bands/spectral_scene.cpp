@@ -12,6 +12,7 @@
 #include "radiosity/spectra/colour.h"
 #include "raster/base/file_io.h"
 #include "raster/base/input_error.h"
+#include "raster/base/lower_case.h"
 
 namespace hemitex::radiosity {
 namespace {
@@ -36,7 +37,7 @@ void warnOfColours(Scene& scene, const SpectralBands& bands) {
 std::map<std::string, MaterialSpectra> spectraOfFiles(const Scene& scene, const SceneSettings& settings) {
   std::map<std::string, std::pair<MaterialStatement, std::filesystem::path>> statements;  // the first of a name
   for (const std::filesystem::path& file : scene.files)
-    if (file.extension() == ".mtl")
+    if (raster::endingOf(file) == ".mtl")
       for (MaterialStatement& statement : parseMaterials(raster::readFile(file), file, settings.emission))
         statements.try_emplace(statement.name, statement, file);
   std::map<std::string, MaterialSpectra> found;

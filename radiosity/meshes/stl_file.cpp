@@ -2,12 +2,12 @@
 /// Source: M. Burns, Automated Fabrication, 1993, section 6.5.
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <limits>
 #include <utility>
 
 #include "radiosity/meshes/mesh_formats.h"
 #include "radiosity/meshes/number_source.h"
+#include "raster/base/lower_case.h"
 
 namespace hemitex::radiosity {
 namespace {
@@ -53,13 +53,6 @@ PolygonMesh parseBinary(std::string_view bytes, const std::filesystem::path& fil
   return mesh;
 }
 
-std::string lower(std::string_view word) {
-  std::string result(word);
-  std::transform(result.begin(), result.end(), result.begin(),
-                 [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
-  return result;
-}
-
 /// The next words as numbers. Throws InputError if one is missing or no finite number.
 glm::dvec3 takeVector(std::string_view& rest, const Place& place) {
   glm::dvec3 vector;
@@ -79,7 +72,7 @@ class TextReader {
   PolygonMesh read() {
     while (const auto line = lines_.next()) {
       std::string_view rest = line->text;
-      while (const auto word = nextWord(rest)) readStatement(lower(*word), rest);
+      while (const auto word = nextWord(rest)) readStatement(raster::lowerCase(std::string(*word)), rest);
     }
     if (isOpen_ || isFacet_ || mesh_.sections.empty())
       fail(lines_.place(), "the STL file ends without endsolid", "give the whole file");
@@ -89,7 +82,7 @@ class TextReader {
 
  private:
   void readStatement(std::string keyword, std::string_view& rest) {
-    if (keyword == "end") keyword += lower(nextWord(rest).value_or(""));
+    if (keyword == "end") keyword += raster::lowerCase(std::string(nextWord(rest).value_or("")));
     if (keyword == "solid" && !isOpen_) {
       begin(std::exchange(rest, {}));
     } else if (keyword == "facet" && !isFacet_) {
@@ -124,7 +117,7 @@ class TextReader {
   void takeNormal(std::string_view& rest) {
     normal_ = glm::dvec3(0.0);
     std::string_view behind = rest;
-    if (const auto word = nextWord(behind); !word || lower(*word) != "normal") return;
+    if (const auto word = nextWord(behind); !word || raster::lowerCase(std::string(*word)) != "normal") return;
     for (int axis = 0; axis < 3; ++axis)
       normal_[axis] = numberOf(nextWord(behind).value_or("")).value_or(std::numeric_limits<double>::quiet_NaN());
     rest = behind;
@@ -148,7 +141,7 @@ std::optional<std::uint64_t> announced(std::string_view bytes, const std::filesy
 /// Whether the first word is one that a text begins with, and no byte near it is of none.
 bool isText(std::string_view bytes) {
   constexpr std::size_t looked = 256;
-  const std::string start = lower(bytes.substr(0, looked));
+  const std::string start = raster::lowerCase(std::string(bytes.substr(0, looked)));
   const std::size_t first = start.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
   if (first == start.npos || start.find('\0') != start.npos) return false;
   return start.compare(first, 5, "solid") == 0 || start.compare(first, 5, "facet") == 0;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 #include <iterator>
 #include <limits>
@@ -28,6 +27,7 @@
 #include "radiosity/scene/surface_names.h"
 #include "raster/base/file_io.h"
 #include "raster/base/input_error.h"
+#include "raster/base/lower_case.h"
 #include "raster/base/memory_budget.h"
 #include "raster/base/short_number.h"
 
@@ -40,15 +40,9 @@ constexpr double smallestExtent = 1e-18;
 /// Lower bound for the brightest light. The light of weaker ones would leave the range of binary32, which images use.
 constexpr double smallestEmission = 1e-30;
 
-/// The end of the name, such as `.glb`, in small letters.
-std::string endingOf(const std::filesystem::path& file) {
-  std::string extension = file.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
-  return extension;
+bool isGltf(const std::filesystem::path& file) {
+  return raster::endingOf(file) == ".gltf" || raster::endingOf(file) == ".glb";
 }
-
-bool isGltf(const std::filesystem::path& file) { return endingOf(file) == ".gltf" || endingOf(file) == ".glb"; }
 
 using CellNames = std::span<const std::string>;
 
@@ -98,7 +92,7 @@ constexpr std::array foreignFormats{ForeignFormat{".fbx", "Kaydara FBX", "an FBX
 /// The format of plain meshes that a name has; null for OBJ, glTF and unknown ones.
 const MeshFormat* meshFormatOf(const std::filesystem::path& file) {
   const auto found = std::find_if(meshFormats.begin(), meshFormats.end(),
-                                  [&](const MeshFormat& format) { return endingOf(file) == format.ending; });
+                                  [&](const MeshFormat& format) { return raster::endingOf(file) == format.ending; });
   return found == meshFormats.end() ? nullptr : &*found;
 }
 
@@ -109,7 +103,7 @@ void refuseForeignFormat(const std::filesystem::path& file) {
   std::array<char, 16> bytes{};
   const std::string_view start(bytes.data(), std::fread(bytes.data(), 1, bytes.size(), opened.get()));
   for (const ForeignFormat& format : foreignFormats)
-    if (endingOf(file) == format.ending || (!format.start.empty() && start.starts_with(format.start)))
+    if (raster::endingOf(file) == format.ending || (!format.start.empty() && start.starts_with(format.start)))
       fail({file}, "is " + std::string(format.name) + ", which is not read", "export it as OBJ, glTF, STL, PLY or VTU");
   if (meshFormatOf(file) != nullptr) return;  // its parser says what is wrong
   for (const MeshFormat& format : meshFormats)

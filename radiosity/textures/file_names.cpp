@@ -2,6 +2,8 @@
 
 #include <unordered_map>
 
+#include "raster/base/lower_case.h"
+
 namespace hemitex::radiosity {
 namespace {
 
@@ -16,12 +18,6 @@ std::string fileName(const std::string& name) {
   return result;
 }
 
-std::string lowerCase(std::string text) {
-  for (char& c : text)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return text;
-}
-
 }  // namespace
 
 std::vector<std::string> uniqueFileNames(const std::vector<std::string>& names,
@@ -32,8 +28,8 @@ std::vector<std::string> uniqueFileNames(const std::vector<std::string>& names,
   for (const std::string& name : names) {
     const std::string base = fileName(name);
     std::string unique = base;
-    while (!taken.emplace(lowerCase(unique), 1).second)
-      unique = base + "-" + std::to_string(++taken.at(lowerCase(base)));
+    while (!taken.emplace(raster::lowerCase(unique), 1).second)
+      unique = base + "-" + std::to_string(++taken.at(raster::lowerCase(base)));
     result.push_back(unique);
   }
   return result;

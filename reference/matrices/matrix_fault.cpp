@@ -40,7 +40,7 @@ class FaultSearch {
   std::optional<std::string> fault(bool isOutsideWrong) {
     considerChangedMatrices();
     considerChangedTruths();
-    if (!fault_) considerScale();
+    considerScale();
     considerFacets();
     if (!fault_) considerOrders();
     if (!fault_ && isOutsideWrong && before_[0] < settings_.tolerance * all_) fault_ = outsideFault();
@@ -73,10 +73,11 @@ class FaultSearch {
   }
 
   /// Takes a fault if what it makes of the matrix and what it predicts are nearer to each other than those of all
-  /// faults before.
-  void consider(const std::string& fault, const Value& found, const Value& predicted, bool columns = false) {
+  /// faults before, by a factor.
+  void consider(const std::string& fault, const Value& found, const Value& predicted, bool columns = false,
+                double factor = 1) {
     const double apart = distance(found, predicted, columns);
-    if (!(apart < nearest_ * before_[columns]) || !(apart < 0.25 * all_)) return;
+    if (!(factor * apart < nearest_ * before_[columns]) || !(apart < 0.25 * all_)) return;
     nearest_ = apart / before_[columns];
     fault_ = fault;
   }
@@ -230,7 +231,7 @@ class FaultSearch {
     return sees;
   }
 
-  /// All entries by one factor, unless a factor with a meaning explains it.
+  /// All entries by one factor. It is fitted, so a fault with a meaning comes first, unless it explains much less.
   void considerScale() {
     double found = 0, sum = 0;
     for (const JudgedRow& row : onlyRows()) {
@@ -241,7 +242,8 @@ class FaultSearch {
     const double factor = found / sum;
     consider(
         "all entries are multiplied by " + shortNumber(factor),
-        [&](const JudgedRow& row, std::uint32_t to) { return found_(row, to) / factor; }, truth_);
+        [&](const JudgedRow& row, std::uint32_t to) { return found_(row, to) / factor; }, truth_, false,
+        fault_ ? nearerBy : 1);
   }
 
   /// The facets whose measured rows and columns differ the most, the worst first.

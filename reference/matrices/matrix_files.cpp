@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <string_view>
 
 #include "raster/base/input_error.h"
+#include "raster/base/lower_case.h"
 #include "reference/matrices/npz_file.h"
 #include "reference/matrices/text_matrices.h"
 
@@ -25,9 +25,7 @@ constexpr std::array formats{Format{".npz", readNpz, npzSink}, Format{".mtx", re
 
 /// The format of a name; null if it is unknown.
 const Format* formatOf(const std::filesystem::path& file) {
-  std::string ending = file.extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-                 [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+  const std::string ending = raster::endingOf(file);
   const auto found =
       std::find_if(formats.begin(), formats.end(), [&](const Format& format) { return format.ending == ending; });
   return found == formats.end() ? nullptr : &*found;

@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <fstream>
 
 #include "radiosity/base/text_lines.h"
 #include "radiosity/meshes/number_source.h"
 #include "raster/base/file_io.h"
 #include "raster/base/input_error.h"
+#include "raster/base/lower_case.h"
 #include "raster/base/printable_text.h"
 #include "raster/base/short_number.h"
 
@@ -201,9 +201,7 @@ MatrixFile readMatrixMarket(const std::filesystem::path& file) {
   if (!line || line->keyword != "%%MatrixMarket")
     fail(lines.place(), "does not begin with %%MatrixMarket", "give a Matrix Market file");
   for (const std::string_view wanted : {"matrix", "coordinate", "real", "general"}) {
-    std::string word(nextWord(line->rest).value_or(""));
-    std::transform(word.begin(), word.end(), word.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    const std::string word = raster::lowerCase(std::string(nextWord(line->rest).value_or("")));
     const bool isNumber = word == "integer" || word == "double";
     if (word != wanted && !(isNumber && wanted == "real"))
       fail(lines.place(),

@@ -439,6 +439,8 @@ TEST_CASE("hemitex formfactors refuses what no sparse matrix can be made of", "[
   for (const auto& [arguments, message] :
        {std::pair("--all", "needs --by-surface, or -o with a file that ends in .npz, .mtx or .csv"),
         {"--all -o F.txt", "does not end in .npz, .mtx or .csv"},
+        {"--all --by-surface -o F.npz", "would be a table of text"},
+        {"--all --by-surface -o F.mtx", "would be a table of text"},
         {"--all -o F.npz --method analytic", "rows sum to 1"},
         {"--all -o F.npz --method rays --aimed", "rows sum to 1"}}) {
     INFO(arguments);
