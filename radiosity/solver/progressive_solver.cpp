@@ -68,6 +68,10 @@ double countedFlux(double emitted, const OutsideFlux& outside) {
 /// Of the residual of the settings: at this share a solution ends if no light came to what is seen.
 constexpr double smallestResidual = 1e-6;
 
+/// The seen surfaces are dark while they have absorbed less than this share of the unshot flux. Their light then comes
+/// through other rooms, so that patches count by their share of the unshot flux, not of all.
+constexpr double darkShare = 1.0 / 16;
+
 /// Shoots until a limit of the settings is reached, after the shots and splits of `past`. Adds what backs absorb of
 /// each patch.
 Solution shoot(const SolveInput& input, ShootingState& state, RowCache& rows, BandTable& absorbedByBacks,
@@ -75,10 +79,16 @@ Solution shoot(const SolveInput& input, ShootingState& state, RowCache& rows, Ba
   const SolverSettings& settings = input.settings;
   const SeenLight& seen = input.seen;
   bool countsSeen = seen.scoutRow != nullptr;
-  if (countsSeen) state.setSeen(seen.surfaces);
+  state.setSeen(seen.surfaces);
   Solution solution;
   solution.shots = past.shots;
   solution.residual = state.residual();
+  bool isSeenDark = true;
+  const auto lookAtSeen = [&] {
+    isSeenDark = isSeenDark && state.seenShare() < darkShare * solution.residual;
+    if (!isSeenDark && !countsSeen) state.setSeen({});
+  };
+  lookAtSeen();
   const auto isDone = [&] {
     if (settings.shots && solution.shots >= *settings.shots) return true;
     if (solution.residual > settings.residual) return false;
@@ -93,7 +103,7 @@ Solution shoot(const SolveInput& input, ShootingState& state, RowCache& rows, Ba
   const double unitFlux = countedFlux(state.light().lastEmitted, state.light().outside) / unitsOfFlux;
   const auto weightOf = [&](std::uint32_t number) {
     const Patch& patch = state.patches().list[number];
-    const double ofAll = sizeSum(state.unshot(number)) / unitFlux;
+    const double ofAll = sizeSum(state.unshot(number)) / (isSeenDark ? solution.residual : 1) / unitFlux;
     if (seen.surfaces.empty() || !seen.scoutRow || patch.isSettled) return ofAll;
     const double ofSeen = unitsOfFlux * state.seenGain(number, seen.scoutRow(patch));
     return std::max(ofAll, ofSeen);
@@ -124,6 +134,7 @@ Solution shoot(const SolveInput& input, ShootingState& state, RowCache& rows, Ba
     state.shoot(patch, row);
     ++solution.shots;
     solution.residual = state.residual();
+    lookAtSeen();
     const bool isLast = isDone();
     if (input.prepare && !isLast) input.prepare({state.patches(), likelyShots});
     const bool goesOn = !progress || progress({solution.shots, solution.residual, isLast, snapshot});

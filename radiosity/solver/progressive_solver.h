@@ -37,7 +37,7 @@ double defaultResidual(const Scene& scene, const Discretization& discretization,
 struct SeenLight {
   std::vector<bool> surfaces = {};  ///< whether they are seen, one per surface; empty if none is
   RowSource scoutRow = {};          ///< see SceneFormFactors::scoutRows
-  double residual = 0.02;           ///< the solution goes on while ShootingState::seenResidual is above this; if no
+  double residual = 0.005;          ///< the solution goes on while ShootingState::seenResidual is above this; if no
                                     ///< light comes, to a millionth of the residual of the settings
 };
 

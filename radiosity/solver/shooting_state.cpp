@@ -311,6 +311,11 @@ double ShootingState::seenResidual() const {
   return unshot / (static_cast<double>(seenUnits_) / unitsPerFlux_);
 }
 
+double ShootingState::seenShare() const {
+  if (std::find(seen_.begin(), seen_.end(), true) == seen_.end() || light_.lastEmitted == 0) return 1;
+  return static_cast<double>(seenUnits_) / unitsPerFlux_ / light_.lastEmitted;
+}
+
 double ShootingState::seenGain(std::uint32_t patch, const FormFactorRow& row) const {
   Bands flux(unshot(patch).begin(), unshot(patch).end());
   for (double& value : flux) value = std::abs(value);
