@@ -37,7 +37,7 @@ mkdir -p "$work"
 build_program() {
   cmake -S . -B "$work/build" -G Ninja "${options[@]}" -DCMAKE_BUILD_TYPE=Release \
     -DCMAKE_CXX_FLAGS_RELEASE="-O2 -ffile-prefix-map=$PWD=." -DHEMITEX_KIT=ON -DHEMITEX_SOLVER=OFF \
-    -DHEMITEX_THREADS=OFF -DHEMITEX_TESTS=OFF >"$work/log" 2>&1 &&
+    -DCMAKE_UNITY_BUILD=ON -DHEMITEX_THREADS=OFF -DHEMITEX_TESTS=OFF >"$work/log" 2>&1 &&
     cmake --build "$work/build" --target hemitex_vector >>"$work/log" 2>&1 && return
   tail -n 40 "$work/log" >&2
   echo "kit.sh: building hemitex-vector failed" >&2

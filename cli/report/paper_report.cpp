@@ -13,7 +13,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-ordered_json runJson(const reference::PaperRun& run) {
+ordered_json paperRunJson(const reference::PaperRun& run) {
   const auto published = reference::publishedTimes(run).value_or(reference::PublishedTimes{});
   return {{"scene", run.scene},
           {"triangles", run.triangles},
@@ -46,7 +46,7 @@ ordered_json paperJson(const std::vector<reference::PaperRun>& runs) {
   using reference::PaperRatio;
   const auto speedUp = [](const PaperRatio& ratio) { return ratioJson(ratio, "level", ratio.run.level); };
   const auto growth = [](const PaperRatio& ratio) { return ratioJson(ratio, "discretize", ratio.run.discretize); };
-  return {{"runs", listOf(runs, runJson)},
+  return {{"runs", listOf(runs, paperRunJson)},
           {"speed_ups", listOf(reference::speedUps(runs), speedUp)},
           {"growth", listOf(reference::growths(runs), growth)}};
 }

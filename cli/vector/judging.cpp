@@ -67,7 +67,7 @@ void print(const std::string& what, const std::vector<std::pair<std::string, ref
 }
 
 /// The reason, and below it what the program said.
-std::string toText(const reference::DeviceFailure& device) {
+std::string failureText(const reference::DeviceFailure& device) {
   std::string text = nameOf(reference::deviceFaultNames, device.fault) + ", " + device.message + '\n';
   for (const std::string& line : device.process.lastLines) text += "  | " + line + '\n';
   return text;
@@ -83,7 +83,7 @@ std::string remarkOn(const Report& report) {
     case reference::Outcome::Missing:
       return "missing: " + name + " was not drawn" + expected + '\n';
     case reference::Outcome::DeviceFailed:
-      return "device failed: " + name + expected + ": " + toText(*report.device);
+      return "device failed: " + name + expected + ": " + failureText(*report.device);
     case reference::Outcome::NotDeterministic:
       return "not deterministic: " + name + expected + ": " + toText(*report.repetition) + '\n';
     case reference::Outcome::Errors:

@@ -19,7 +19,7 @@ using reference::markupText;
 
 constexpr const char *good = "#4a9", *bad = "#c43", *first = "#9cf", *second = "#fd9";
 
-constexpr const char* style = R"(<style>
+constexpr const char* profileStyle = R"(<style>
 body { font: 16px/1.4 sans-serif; max-width: 56em; margin: 1em auto; padding: 0 1em; }
 table { border-collapse: collapse; }
 th, td { padding: 0 1.5em 0 0; text-align: left; }
@@ -221,9 +221,10 @@ std::string toHtml(const ProfilePage& page) {
   const nlohmann::ordered_json profile = toJson(page.calibration.profile);
   for (const auto& [key, value] : profile.items())
     table += "<tr><th>" + key + "<td>" + markupText(value.is_string() ? value.get<std::string>() : value.dump()) + "\n";
-  return "<!doctype html>\n<html lang=\"en\">\n<meta charset=\"utf-8\">\n<title>" + title + "</title>\n" + style +
-         "<h1>" + title + "</h1>\n<p>Measured by the probes of hemitex: what this device may round, and how.</p>\n" +
-         table + "</table>\n" + snapping(page) + edgeRule(page) + texels(page) + depths(page) + clipping(page);
+  return "<!doctype html>\n<html lang=\"en\">\n<meta charset=\"utf-8\">\n<title>" + title + "</title>\n" +
+         profileStyle + "<h1>" + title +
+         "</h1>\n<p>Measured by the probes of hemitex: what this device may round, and how.</p>\n" + table +
+         "</table>\n" + snapping(page) + edgeRule(page) + texels(page) + depths(page) + clipping(page);
 }
 
 }  // namespace hemitex::cli

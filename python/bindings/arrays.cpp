@@ -10,7 +10,7 @@ namespace {
 
 using raster::InputError;
 
-std::string textOf(const Shape& shape) {
+std::string shapeText(const Shape& shape) {
   std::string text = "(";
   for (std::size_t axis = 0; axis < shape.size(); ++axis)
     text += (axis == 0 ? "" : ", ") + (shape[axis] < 0 ? std::string("n") : std::to_string(shape[axis]));
@@ -29,11 +29,11 @@ py::array checkedArray(const py::handle& argument, const std::string& name, cons
                        const std::string& kinds, const std::string& what) {
   py::array array = py::array::ensure(argument);
   if (!array || kinds.find(array.dtype().kind()) == std::string::npos)
-    throw InputError("`" + name + "` is no array of " + what, "give " + what + " in the shape " + textOf(shape));
+    throw InputError("`" + name + "` is no array of " + what, "give " + what + " in the shape " + shapeText(shape));
   const Shape found(array.shape(), array.shape() + array.ndim());
   if (!fits(found, shape))
-    throw InputError("`" + name + "` has the shape " + textOf(found),
-                     "give " + what + " in the shape " + textOf(shape));
+    throw InputError("`" + name + "` has the shape " + shapeText(found),
+                     "give " + what + " in the shape " + shapeText(shape));
   return array;
 }
 

@@ -25,7 +25,7 @@ using raster::InputError;
 using reference::TestVector;
 using namespace py::literals;
 
-std::string textOf(const nlohmann::ordered_json& json) {
+std::string jsonText(const nlohmann::ordered_json& json) {
   return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 
@@ -85,7 +85,7 @@ py::tuple judgeVector(const TestVector& vector, const py::sequence& found, const
     pixels.append(toArray(std::move(verdicts), {face.expected.height, face.expected.width}));
     expected.append(toArray(face.expected));
   }
-  return py::make_tuple(textOf(reference::toJson(report)), toText(report.findings), pixels, expected);
+  return py::make_tuple(jsonText(reference::toJson(report)), toText(report.findings), pixels, expected);
 }
 
 std::string explainPixel(const TestVector& vector, const py::object& name, const py::object& column,
@@ -95,7 +95,7 @@ std::string explainPixel(const TestVector& vector, const py::object& name, const
   const int y = static_cast<int>(integerOf(row, "row", -1, 4096));
   std::string known;
   for (const reference::VectorFace& face : vector.faces) {
-    if (face.name == wanted) return textOf(unlocked([&] { return reference::explanation(vector, face, x, y); }));
+    if (face.name == wanted) return jsonText(unlocked([&] { return reference::explanation(vector, face, x, y); }));
     known += (known.empty() ? "" : ", ") + face.name;
   }
   throw InputError("the vector has no face `" + raster::excerpt(wanted) + "`", "it has " + known);

@@ -65,7 +65,7 @@ struct BlockPiece {
 };
 
 /// Whether the point lies inside the polygon or on its border; polygons of a chart may have either winding.
-bool contains(const Piece& piece, const glm::dvec2& point) {
+bool containsPoint(const Piece& piece, const glm::dvec2& point) {
   bool isLeft = true, isRight = true;
   for (std::size_t i = 0; i < piece.size; ++i) {
     const glm::dvec2 a = piece.corners[i].grid - point, b = piece.corners[(i + 1) % piece.size].grid - point;
@@ -124,7 +124,7 @@ std::optional<ShootingBlock> shootingBlock(const Surface& surface, const Grid& g
   const std::vector<BlockPiece> facing = facingPieces(surface, pieces);
   const BlockPiece* nearest = &facing.front();
   for (const BlockPiece& piece : facing) {
-    if (contains(piece.piece, middle))
+    if (containsPoint(piece.piece, middle))
       if (const auto weights =
               weightsAt(inTexels(surface.triangles[piece.triangle], grid.columns, grid.rows), middle)) {
         block.centre = pointOn(surface, piece.triangle, *weights);

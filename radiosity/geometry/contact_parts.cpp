@@ -125,7 +125,7 @@ FaceInPlace otherOf(const TrianglePositions& triangle, std::uint32_t number, con
   return other;
 }
 
-const Polygon wholeTriangle{{0, 0}, {1, 0}, {0, 1}};
+const Polygon unitTriangle{{0, 0}, {1, 0}, {0, 1}};
 
 /// Whether a triangle lies beyond an edge of the one whose weights its corners have, as most neighbours do.
 bool isBeyond(const std::array<glm::dvec2, 3>& corners) {
@@ -149,7 +149,7 @@ std::optional<FaceInPlace> inOnePlace(const TrianglePositions& triangle, const N
   if (lowest > tolerance || highest < -tolerance) return std::nullopt;
   FaceInPlace other = otherOf(corners, candidate.number, plane, tolerance);
   if (isBeyond(other.corners)) return std::nullopt;
-  const Polygon common = inside(wholeTriangle, plane, other, [](const Polygon&) {});
+  const Polygon common = inside(unitTriangle, plane, other, [](const Polygon&) {});
   const bool isNear = std::all_of(common.begin(), common.end(), [&](const glm::dvec2& weights) {
     const auto& [a, b, c] = triangle;
     return std::abs(glm::dot(a + weights.x * (b - a) + weights.y * (c - a) - corners[0], normal)) <= tolerance;
@@ -182,7 +182,7 @@ bool areJoined(const ContactRules& rules, std::uint32_t triangle, std::uint32_t 
 }
 
 /// A part of a triangle while others cut it.
-struct Part {
+struct CutPart {
   Polygon polygon;
   bool isBacked = false;  ///< by a face that it does not stand on
   bool isJoined = false;
@@ -191,13 +191,13 @@ struct Part {
 };
 
 /// Cuts the parts of triangle `number` by another one.
-std::vector<Part> cutBy(const FaceInPlace& other, std::uint32_t number, const ContactRules& rules,
-                        std::vector<Part> parts, const Plane& plane) {
+std::vector<CutPart> cutBy(const FaceInPlace& other, std::uint32_t number, const ContactRules& rules,
+                           std::vector<CutPart> parts, const Plane& plane) {
   const bool isJoined = other.isOpposite && areJoined(rules, number, other.number);
   const bool isBacking = other.isOpposite && !standsOn(rules, number, other.number);
-  std::vector<Part> result;
-  for (Part& part : parts) {
-    Part within = part;
+  std::vector<CutPart> result;
+  for (CutPart& part : parts) {
+    CutPart within = part;
     within.polygon.clear();
     if (mayMeet(part.polygon, other))
       within.polygon = inside(part.polygon, plane, other, [&](Polygon polygon) {
@@ -226,7 +226,7 @@ bool reachesBorder(const Polygon& polygon) {
 }
 
 /// The contact of a part of triangle `number`. The front of a solid that stands on something covers nothing.
-Contact contactOf(const Part& part, std::uint32_t number, const ContactRules& rules) {
+Contact contactOf(const CutPart& part, std::uint32_t number, const ContactRules& rules) {
   const auto rank = [&](std::uint32_t n) {
     return std::pair(!(part.isOpposed && rules.shells.kindOf(n) == ShellKind::Solid), rules.ranks[n]);
   };
@@ -263,11 +263,11 @@ std::vector<ContactPart> contactParts(const TrianglePositions& triangle, std::ui
   });
   if (others.size() > maxOthers || !matters) return {};
   const Plane plane(triangle);
-  std::vector<Part> parts{{wholeTriangle}};
+  std::vector<CutPart> parts{{unitTriangle}};
   for (const FaceInPlace& other : others) parts = cutBy(other, number, rules, std::move(parts), plane);
-  const bool isWhole = std::all_of(parts.begin(), parts.end(), [](const Part& part) { return part.isJoined; });
+  const bool isWhole = std::all_of(parts.begin(), parts.end(), [](const CutPart& part) { return part.isJoined; });
   std::vector<ContactPart> result;
-  for (Part& part : parts) {
+  for (CutPart& part : parts) {
     // Exposure finds the others without a cut.
     part.isJoined = part.isJoined && !isWhole && reachesBorder(part.polygon);
     const Contact contact = contactOf(part, number, rules);
@@ -279,7 +279,7 @@ std::vector<ContactPart> contactParts(const TrianglePositions& triangle, std::ui
            part.contact.coveredBy.has_value() == first.coveredBy.has_value();
   });
   if (isOne && first == Contact{}) return {};
-  if (isOne) return {{wholeTriangle, first}};
+  if (isOne) return {{unitTriangle, first}};
   return result;
 }
 

@@ -9,7 +9,6 @@
 namespace hemitex::radiosity {
 namespace {
 
-constexpr int border = 1;                                  ///< of the layout
 constexpr std::int64_t maxTexels = std::int64_t{1} << 28;  ///< the limit of readImage
 
 Image emptyTexture(const TextureLayout::Size& size, int magnification) {
@@ -26,7 +25,8 @@ Image emptyTexture(const TextureLayout::Size& size, int magnification) {
 /// Writes a surface's values, row by row, to its place and border, all magnified.
 void fillPlace(const Grid& grid, const TexturePlace& place, const std::vector<glm::dvec3>& texels, int magnification,
                Image& texture) {
-  const int columns = grid.columns * magnification, rows = grid.rows * magnification, around = border * magnification;
+  const int columns = grid.columns * magnification, rows = grid.rows * magnification,
+            around = textureBorder * magnification;
   for (int r = -around; r < rows + around; ++r) {
     const int fromTop = texture.height - 1 - (place.row * magnification + r);
     const auto from = texels.begin() + std::ptrdiff_t{std::clamp(r, 0, rows - 1)} * columns;

@@ -103,7 +103,7 @@ MovedLight movedLight(const std::vector<MovedTriangle>& triangles, const FileLig
 }
 
 /// A part of the file with second coordinates, and the lit triangles of it.
-struct LitPart {
+struct LitImport {
   const ImportedPart* part;
   std::uint32_t firstPolygon;
   std::vector<GltfLitTriangle*> triangles;
@@ -122,7 +122,7 @@ PlaneTriangle coordinatesOf(const ImportedPart& part, std::size_t triangle) {
 glm::dvec3 normalOf(const std::array<glm::dvec3, 3>& p) { return glm::cross(p[1] - p[0], p[2] - p[0]); }
 
 /// Why the second coordinates of a part are no chart of its lit triangles; empty if they are one.
-std::string problemOf(const LitPart& lit) {
+std::string problemOf(const LitImport& lit) {
   std::map<std::uint32_t, std::pair<bool, bool>> sides;  // of a polygon: whether its front and its back are lit
   for (const GltfLitTriangle* const triangle : lit.triangles) {
     const glm::dvec3 front = normalOf(positionsOf(*lit.part, triangle->polygon - lit.firstPolygon));
@@ -151,7 +151,7 @@ std::string problemOf(const LitPart& lit) {
 }
 
 /// Moves the lit triangles of a part to a new light map.
-MovedLight moveToSecond(const LitPart& part, int lightMap, const FileLightMaps& lit) {
+MovedLight moveToSecond(const LitImport& part, int lightMap, const FileLightMaps& lit) {
   std::vector<MovedTriangle> moved;
   for (GltfLitTriangle* const triangle : part.triangles) {
     const std::uint32_t number = triangle->polygon - part.firstPolygon;
@@ -168,14 +168,14 @@ MovedLight moveToSecond(const LitPart& part, int lightMap, const FileLightMaps& 
 }
 
 /// The parts with second coordinates that have lit triangles.
-std::vector<LitPart> litParts(const GltfImport& import, std::vector<GltfLitTriangle>& triangles) {
+std::vector<LitImport> litImports(const GltfImport& import, std::vector<GltfLitTriangle>& triangles) {
   std::map<std::uint32_t, std::vector<GltfLitTriangle*>> byPolygon;
   for (GltfLitTriangle& triangle : triangles) byPolygon[triangle.polygon].push_back(&triangle);
-  std::vector<LitPart> parts;
+  std::vector<LitImport> parts;
   std::uint32_t first = 0;
   for (const ImportedPart& part : import.parts) {
     const auto end = first + static_cast<std::uint32_t>(part.corners.size() / 3);
-    LitPart lit{&part, std::exchange(first, end), {}};
+    LitImport lit{&part, std::exchange(first, end), {}};
     if (part.secondCoords.empty()) continue;
     for (auto i = byPolygon.lower_bound(lit.firstPolygon); i != byPolygon.end() && i->first < end; ++i)
       lit.triangles.insert(lit.triangles.end(), i->second.begin(), i->second.end());
@@ -189,11 +189,11 @@ std::vector<LitPart> litParts(const GltfImport& import, std::vector<GltfLitTrian
 std::vector<std::string> useSecondCoordinates(const std::filesystem::path& file, FileLightMaps& lit) {
   GltfImport import;
   if (!readParts(file, import).problem.empty()) return {};
-  const std::vector<LitPart> parts = litParts(import, lit.triangles);
+  const std::vector<LitImport> parts = litImports(import, lit.triangles);
   std::vector<std::string> names, reasons;
   for (const NamedLightMap& map : lit.maps) names.push_back(map.name);
-  std::vector<LitPart> moved;
-  for (const LitPart& part : parts) {
+  std::vector<LitImport> moved;
+  for (const LitImport& part : parts) {
     const std::string name = import.nodes[static_cast<std::size_t>(part.part->node)].name;
     const std::string problem = problemOf(part);
     if (!problem.empty()) {

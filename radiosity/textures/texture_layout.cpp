@@ -11,7 +11,6 @@
 namespace hemitex::radiosity {
 namespace {
 
-constexpr int border = 1;
 constexpr int smoothSide = 128;
 constexpr int largestDetail = 2048;
 constexpr int largestTexture = 4096;
@@ -50,7 +49,7 @@ TextureLayout separateTextures(const Scene& scene, const std::vector<Size>& size
   TextureLayout layout{sizes, {}, {}};
   for (std::size_t surface = 0; surface < sizes.size(); ++surface) {
     layout.names.push_back(scene.surfaces[surface].name);
-    layout.places.push_back({static_cast<int>(surface), border, border});
+    layout.places.push_back({static_cast<int>(surface), textureBorder, textureBorder});
   }
   layout.names = uniqueFileNames(layout.names, {"render"});  // render.png is in the same folder
   return layout;
@@ -76,7 +75,7 @@ TextureLayout packTextures(const std::vector<Size>& sizes, const LargestSide& la
     for (const RectangleSize& page : packing.pages) layout.textures.push_back({page.width, page.height, magnification});
     for (std::size_t i = 0; i < own.size(); ++i) {
       const RectanglePlace& place = packing.places[i];
-      layout.places[surfaces[i]] = {first + place.page, place.column + border, place.row + border};
+      layout.places[surfaces[i]] = {first + place.page, place.column + textureBorder, place.row + textureBorder};
     }
   }
   for (std::size_t t = 1; t <= layout.textures.size(); ++t) layout.names.push_back("radiosity-" + std::to_string(t));
@@ -103,7 +102,8 @@ TextureLayout layOutTextures(const Scene& scene, const Discretization& discretiz
     const Grid& grid = discretization.grids[s];
     const int smooth = std::max(smoothMagnification(grid, scene.surfaces[s].triangles.size()),
                                 detailMagnification(grid, mapPixels(scene, scene.surfaces[s])));
-    sizes.push_back({grid.columns + 2 * border, grid.rows + 2 * border, magnification.factor.value_or(smooth)});
+    sizes.push_back(
+        {grid.columns + 2 * textureBorder, grid.rows + 2 * textureBorder, magnification.factor.value_or(smooth)});
   }
   const auto layOut = [&](const auto& largestSide) {
     return sizes.size() <= separateLimit ? separateTextures(scene, sizes) : packTextures(sizes, largestSide);

@@ -22,8 +22,11 @@
 
 namespace hemitex::radiosity {
 
+/// The number of texels around the place of a chart.
+inline constexpr int textureBorder = 1;
+
 /// The place of a surface's chart: texel (c, r) of its grid is pixel (column + c, row + r) of the texture, with row 0
-/// at the BOTTOM of the picture (v = 0). The border of one texel lies around it. Charts are never rotated.
+/// at the BOTTOM of the picture (v = 0). The border lies around it. Charts are never rotated.
 struct TexturePlace {
   int texture = 0;
   int column = 0;

@@ -7,8 +7,6 @@ namespace {
 
 constexpr std::size_t fanOut = 8;
 
-Box around(const Box& a, const Box& b) { return {glm::min(a.low, b.low), glm::max(a.high, b.high)}; }
-
 std::vector<ClusterGroup> groupsOf(std::span<const Cluster> clusters) {
   std::vector<ClusterGroup> groups;
   for (std::uint32_t c = 0; c < clusters.size(); ++c) {

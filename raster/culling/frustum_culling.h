@@ -15,6 +15,9 @@ struct Box {
   glm::dvec3 low, high;
 };
 
+/// The smallest box around both.
+inline Box around(const Box& a, const Box& b) { return {glm::min(a.low, b.low), glm::max(a.high, b.high)}; }
+
 /// The place of a box in a view.
 struct BoxPlace {
   /// Triangles inside the box cover no sample outside this part of the scissor rectangle; it may be empty.

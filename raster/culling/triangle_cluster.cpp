@@ -28,8 +28,6 @@ Box boxOf(const DrawList& list, const TriangleRun& run) {
   return box;
 }
 
-Box around(const Box& a, const Box& b) { return {glm::min(a.low, b.low), glm::max(a.high, b.high)}; }
-
 double diagonalOf(const Box& box) { return glm::length(box.high - box.low); }
 
 /// A cluster while runs are added.

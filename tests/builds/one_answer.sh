@@ -32,7 +32,7 @@ fi
 
 # Warnings are off, because g++ 12 has false positives at -O3.
 build() {  # FOLDER TARGETS COMPILER FLAGS [CMAKE ARGUMENT...]
-  cmake -S . -B "$1" -G Ninja -DCMAKE_CXX_COMPILER="$3" -DCMAKE_BUILD_TYPE=Release \
+  cmake -S . -B "$1" -G Ninja -DCMAKE_CXX_COMPILER="$3" -DCMAKE_BUILD_TYPE=Release -DCMAKE_UNITY_BUILD=ON \
     -DCMAKE_CXX_FLAGS_RELEASE="$4 -w" "${@:5}" >"$folder/log" 2>&1 &&
     cmake --build "$1" --target $2 >>"$folder/log" 2>&1 && return
   tail -n 40 "$folder/log" >&2

@@ -204,7 +204,7 @@ def test_solve_with_light_from_outside_equals_hemitex_solve(tmp_path: Path) -> N
     scene = hx.load_scene(DATA / "pyramid-room.obj", sky=(1, 2, 3), suns=[((1, 2, 1), (10, 9, 8))])
     solution = hx.solve(hx.discretize(scene, texels=4), residual=0.01)
     run("solve", DATA / "pyramid-room.obj", "--sky", "1,2,3", "--sun", "1,2,1=10,9,8", "--texels", 4, "--residual", 0.01,
-        "-o", tmp_path)
+        "--size", "8x6", "-o", tmp_path)
     assert np.array_equal(solution.radiosity, elements_of(tmp_path)["radiosity"])
 
 
@@ -212,8 +212,8 @@ def test_solve_with_lamps_equals_hemitex_solve(tmp_path: Path) -> None:
     scene = hx.load_scene(DATA / "pyramid-room.obj", lamps=[((0.2, 1.5, 0.1), (3, 2, 1))])
     assert scene.lamps == [("lamp-1", (0.2, 1.5, 0.1), (3.0, 2.0, 1.0))]
     solution = hx.solve(hx.discretize(scene, texels=4), residual=0.01)
-    run("solve", DATA / "pyramid-room.obj", "--lamp", "0.2,1.5,0.1=3,2,1", "--texels", 4, "--residual", 0.01, "-o",
-        tmp_path)
+    run("solve", DATA / "pyramid-room.obj", "--lamp", "0.2,1.5,0.1=3,2,1", "--texels", 4, "--residual", 0.01,
+        "--size", "8x6", "-o", tmp_path)
     assert np.array_equal(solution.radiosity, elements_of(tmp_path)["radiosity"])
     moved = hx.edit(scene, hx.Move("lamp-1", (0, 0, 1))).lit_from_outside(sky=1)
     assert moved.lamps == [("lamp-1", (0.2, 1.5, 1.1), (3.0, 2.0, 1.0))]
@@ -228,7 +228,8 @@ def test_solve_in_bands_equals_hemitex_solve(tmp_path: Path) -> None:
                                          {"white": {"reflectance": white}, "light": {"emission": [3, 5, 11, 21]}})
     assert scene.wavelengths == [450, 500, 550, 650]
     solution = hx.solve(hx.discretize(scene, texels=4), residual=0.01)
-    run("solve", ROOM, "--texels", 4, "--residual", 0.01, "--bands", tmp_path / "bands.json", "-o", tmp_path / "lit")
+    run("solve", ROOM, "--texels", 4, "--residual", 0.01, "--bands", tmp_path / "bands.json", "--size", "8x6",
+        "-o", tmp_path / "lit")
     with open(tmp_path / "lit" / "elements.csv", newline="") as file:
         rows = list(csv.DictReader(file))
     for band, name in enumerate(("b_450", "b_500", "b_550", "b_650")):
@@ -251,7 +252,7 @@ def test_solve_in_bands_equals_hemitex_solve(tmp_path: Path) -> None:
 def test_edit_equals_hemitex_solve_with_edits(tmp_path: Path) -> None:
     (tmp_path / "edits.json").write_text(
         '{"frames": [[{"move": "short-block", "by": [40, 0, -80]}], [{"remove": "tall-block"}]]}')
-    run("solve", ROOM, "--texels", 4, "--edits", tmp_path / "edits.json", "-o", tmp_path / "lit")
+    run("solve", ROOM, "--texels", 4, "--edits", tmp_path / "edits.json", "--size", "8x6", "-o", tmp_path / "lit")
     solution = hx.solve(hx.discretize(hx.load_scene(ROOM), texels=4, editable=True), editable=True)
     moved = hx.edit(solution, hx.Move("short-block", by=(40, 0, -80)))
     removed = hx.edit(moved, [hx.Remove("tall-block")])
@@ -269,12 +270,12 @@ def test_solve_with_a_bound_equals_hemitex_solve(tmp_path: Path) -> None:
     room = DATA / "paper-room.obj"
     elements = hx.discretize(hx.load_scene(room), texels=4)
     solution = hx.solve(elements, max_error=0.05)
-    run("solve", room, "--texels", 4, "--max-error", 0.05, "-o", tmp_path)
+    run("solve", room, "--texels", 4, "--max-error", 0.05, "--size", "8x6", "-o", tmp_path)
     about = json.loads((tmp_path / "solution.json").read_text())
     assert np.array_equal(solution.radiosity, elements_of(tmp_path)["radiosity"])
     assert solution.expected_error == max(about["expected_error"], about["expected_error_seen"])
     limits = ["--resolution", 192, "--residual", 0.003, "--shots", 5000]
-    run("solve", room, "--texels", 4, "--max-error", 0.05, *limits, "-o", tmp_path)
+    run("solve", room, "--texels", 4, "--max-error", 0.05, *limits, "--size", "8x6", "-o", tmp_path)
     limited = hx.solve(elements, max_error=0.05, resolution=192, residual=0.003, shots=5000)
     assert np.array_equal(limited.radiosity, elements_of(tmp_path)["radiosity"])
     assert limited.residual <= 0.003 and limited.ended_by == "residual"
@@ -285,12 +286,12 @@ def test_solve_with_a_bound_equals_hemitex_solve(tmp_path: Path) -> None:
 def test_solve_of_facets_with_a_bound_equals_hemitex_solve(tmp_path: Path) -> None:
     room = DATA / "paper-room.obj"
     solution = hx.solve(hx.load_scene(room, facets=True), max_error=0.05)
-    run("solve", room, "--facets", "--max-error", 0.05, "-o", tmp_path)
+    run("solve", room, "--facets", "--max-error", 0.05, "--size", "8x6", "-o", tmp_path)
     assert np.array_equal(solution.radiosity, elements_of(tmp_path)["radiosity"])
     assert solution.row_error == json.loads((tmp_path / "solution.json").read_text())["row_error"]
     assert solution.expected_error is None
     divided = hx.solve(hx.discretize(hx.load_scene(room, facets=True), texels=2), max_error=0.05)
-    run("solve", room, "--facets", "--texels", 2, "--max-error", 0.05, "-o", tmp_path)
+    run("solve", room, "--facets", "--texels", 2, "--max-error", 0.05, "--size", "8x6", "-o", tmp_path)
     assert np.array_equal(divided.radiosity, elements_of(tmp_path)["radiosity"])
     assert divided.row_error is None and divided.expected_error <= 0.1
     with pytest.raises(hx.InputError, match="resolution"):

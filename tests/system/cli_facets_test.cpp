@@ -279,7 +279,8 @@ TEST_CASE("Facets with two sides have their backs as rows and columns after thos
   CHECK(factor(0, 1) + factor(0, 2) + factor(4, 5) == 0);
   CHECK(cellData(shell, "F.vtu", "form_factor_from_1").size() == 6);
   CHECK(shell.run("matrix check F.csv sheet.ply --two-sided").exitCode == 0);
-  shell.output("solve sheet.ply --facets --two-sided --emit 1=9,9,9 --max-error 0.01 --no-textures -o lit");
+  shell.output(
+      "solve sheet.ply --facets --two-sided --emit 1=9,9,9 --max-error 0.01 --no-textures --size 40x30 -o lit");
   const std::vector<glm::dvec3> lit = vectorsOf(shell, "lit/scene.vtu", "radiosity");
   REQUIRE(lit.size() == 6);
   // Light goes forth and back.

@@ -153,15 +153,16 @@ TEST_CASE("hemitex formfactors and solve with other projections report the captu
     CHECK(tetrahedron["row"][i]["form_factor"].get<double>() ==
           Approx(hemicube["row"][i]["form_factor"].get<double>()).margin(1e-3));
 
-  const Outcome lossy = shell.run("solve room.obj -o plane --texels 4 --resolution 64 --method single-plane --json");
+  const Outcome lossy =
+      shell.run("solve room.obj -o plane --size 40x30 --texels 4 --resolution 64 --method single-plane --json");
   REQUIRE(lossy.exitCode == 0);
   const json solution = json::parse(lossy.out);
   CHECK(solution["settings"]["method"] == "single-plane");
   CHECK(solution["captured"].get<double>() == Approx(captured).epsilon(1e-12));
   CHECK(solution["warnings"].size() == 1);
   CHECK(solution["energy"]["lost"][0].get<double>() > 0.04 * solution["energy"]["emitted"][0].get<double>());
-  const json whole =
-      json::parse(shell.output("solve room.obj -o all --texels 4 --resolution 64 --method tetrahedron --json"));
+  const json whole = json::parse(
+      shell.output("solve room.obj -o all --size 40x30 --texels 4 --resolution 64 --method tetrahedron --json"));
   CHECK(whole["captured"] == 1);
   CHECK(whole["warnings"].empty());
   CHECK(whole["energy"]["lost"][0] == 0);

@@ -188,7 +188,7 @@ TEST_CASE("shellQuoted makes the suggested --emit a word that a shell reads back
   REQUIRE(dark.exitCode == 2);
   const std::vector<std::string> advice = matches(dark.err, "add (--emit .*) \\(largest");
   REQUIRE(advice.size() == 1);
-  const Outcome lit = shell.run("solve dark.obj -o lit --texels 2 --resolution 16 " + advice.front());
+  const Outcome lit = shell.run("solve dark.obj -o lit --texels 2 --resolution 16 --size 40x30 " + advice.front());
   INFO(advice.front() << '\n' << lit.err);
   CHECK(lit.exitCode == 0);
 }

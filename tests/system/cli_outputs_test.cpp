@@ -134,7 +134,7 @@ struct Trial {
 /// Calls `test` with a trial of each writer for which `isTried` is true.
 template <typename Test>
 void forEachWriter(const Test& test) {
-  const Inputs shell;
+  static const Inputs shell;  // made once for all tests
   for (const auto& [option, writer] : writers) {
     INFO(option);
     const Trial trial{shell, writer};

@@ -36,7 +36,7 @@ TEST_CASE("hemitex render of a solved folder shows the grids that were solved", 
   const std::string grids = GENERATE(as<std::string>{}, "--texels 4 --surface floor=3 --surface left=1 ",
                                      "--texel-size 0.4 --surface floor=3 ");
   const std::string camera = " --eye 0,0.5,0 --look-at 0,0,-1 --fov 90 --size 40x30 ";
-  shell.output("solve room.obj --resolution 32 -o out " + grids);
+  shell.output("solve room.obj --resolution 32 --size 40x30 -o out " + grids);
   const std::string show = GENERATE(as<std::string>{}, "ids", "index-map", "offsets", "map");
   shell.output("render out/scene.obj -o solved.png --show " + show + camera);
   shell.output("render room.obj -o bare.png --show " + show + camera + grids);

@@ -38,7 +38,7 @@ TEST_CASE("hemitex solve --max-error chooses the settings and reports them", "[c
   writeAll(shell.file("pair.obj"),
            "mtllib pair.mtl\nv 0 0 0\nv 1 0 0\nv 1 0 1\nv 0 0 1\nv 0 1 0\nv 1 1 0\nv 1 1 1\nv 0 1 1\n"
            "usemtl grey\ng floor\nf 1 4 3 2\nusemtl lamp\ng ceiling\nf 5 6 7 8\n");
-  const Outcome outcome = shell.run("solve pair.obj --texels 2 --max-error 1e-9 -o out");
+  const Outcome outcome = shell.run("solve pair.obj --texels 2 --max-error 1e-9 --size 40x30 -o out");
   CHECK(outcome.exitCode == 2);
   CHECK(outcome.err.find("out of reach") != std::string::npos);
   CHECK_FALSE(fs::exists(shell.file("out")));
@@ -331,7 +331,7 @@ TEST_CASE("hemitex solve of a dark scene names the three largest surfaces, and i
   const std::string option = "--emit 'big one=10,10,10'";
   CHECK(outcome.err.find("dark.obj: nothing in the scene emits light; add " + option +
                          " (largest surfaces: `big one`, `two`, `four`)") != std::string::npos);
-  CHECK(shell.run("solve dark.obj -o out " + option).exitCode == 0);
+  CHECK(shell.run("solve dark.obj --size 40x30 -o out " + option).exitCode == 0);
   CHECK(shell.run("tradeoff dark.obj -o out").err.find(option) != std::string::npos);
 }
 
@@ -510,7 +510,8 @@ TEST_CASE("hemitex solve ends at the first of --shots and --residual, and says w
   const Shell shell;
   const auto solved = [&](const std::string& options) {
     INFO(options);
-    const std::string text = shell.output("solve room.obj --texels 4 --resolution 32 --no-textures -o lit " + options);
+    const std::string text =
+        shell.output("solve room.obj --texels 4 --resolution 32 --no-textures --size 40x30 -o lit " + options);
     const json solution = json::parse(readAll(shell.file("lit/solution.json")));
     CHECK((text.find("where --shots ended it") != std::string::npos) == (solution["ended_by"] == "shots"));
     return solution;
@@ -565,7 +566,7 @@ TEST_CASE("hemitex solve --max-error keeps the limits that are given beside it",
 
 TEST_CASE("hemitex solve --adaptive --texel-size has quadtrees of the next power of two", "[cli]") {
   const Shell shell;
-  shell.output("solve room.obj --adaptive 0.001 --texel-size 0.3 --resolution 32 --no-textures -o lit");
+  shell.output("solve room.obj --adaptive 0.001 --texel-size 0.3 --resolution 32 --no-textures --size 40x30 -o lit");
   for (const json& surface : json::parse(readAll(shell.file("lit/solution.json")))["surfaces"]) {
     const int columns = surface["columns"];
     CHECK(columns == surface["rows"]);

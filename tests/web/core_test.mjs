@@ -60,7 +60,7 @@ test("vector.json and its arrays are those of the native program", () => {
 
 test("a solution of the Cornell box has the elements.csv of the native program", () => {
   const native = join(folder, "solved");
-  run("solve", boxFile, "--texels", "8", "--resolution", "128", "--no-textures", "-o", native);
+  run("solve", boxFile, "--texels", "8", "--resolution", "128", "--no-textures", "--size", "8x6", "-o", native);
   const solution = box.discretize({texels: 8}).solve({resolution: 128});
   assert.equal(solution.csv(), readFileSync(join(native, "elements.csv"), "utf8"));
 });

@@ -15,7 +15,7 @@ constexpr ItemId nothing = 0xffffffff;  // the background of the probes
 
 // --- snapping and edges ---
 
-constexpr std::int64_t pixelUnits = std::int64_t{1} << exactBits;  // unit of a probe's corners
+constexpr std::int64_t unitsPerPixel = std::int64_t{1} << exactBits;  // unit of a probe's corners
 
 /// The multiple of `step` that a coordinate snaps to. Samples are multiples, so that the coordinate may be relative.
 std::int64_t snapTo(std::int64_t coordinate, std::int64_t step, SnapRounding rounding) {
@@ -263,7 +263,7 @@ std::vector<SnappingFit> snappingFits(const ProbingSet& probes, std::span<const 
 }
 
 Coverage coverageOf(const CoverageProbe& probe, int subpixelBits, SnapRounding rounding) {
-  const std::int64_t step = pixelUnits >> subpixelBits;
+  const std::int64_t step = unitsPerPixel >> subpixelBits;
   std::array<raster::SnappedPoint, 3> corners;
   for (std::size_t k = 0; k < 3; ++k)
     corners[k] = {snapTo(probe.corners[k].x, step, rounding), snapTo(probe.corners[k].y, step, rounding)};

@@ -53,7 +53,7 @@ struct Share {
 };
 
 /// The agreement of a variant on the pixels drawn so far.
-struct Agreement {
+struct Overlap {
   Share all;                                         ///< errors and footprint
   Share errors;                                      ///< errors alone: what is explained does not stand for them
   Share changes;                                     ///< where the item ID of the variant is not that of the rules
@@ -67,7 +67,7 @@ struct Agreement {
   }
 };
 
-void count(const Case& given, const Variant& variant, std::size_t pixel, ItemId id, Agreement& agreement) {
+void count(const Case& given, const Variant& variant, std::size_t pixel, ItemId id, Overlap& agreement) {
   const std::vector<Channel>& rounded = variant.rounded;
   const auto areLike = [&](ItemId a, ItemId b) { return a == b || (!rounded.empty() && isClose(rounded, a, b)); };
   const ItemId rules = given.rules[pixel], found = given.found[pixel];
@@ -97,8 +97,8 @@ struct Match {
 using Drawing = std::function<void(const std::function<bool(const raster::ItemBuffer&)>&)>;
 
 /// Draws while the variant may still explain the errors. Most variants are rejected after a few rows.
-Match compare(const Case& given, const Agreement& undrawn, const Variant& variant, const Drawing& draw) {
-  Agreement agreement = undrawn;
+Match compare(const Case& given, const Overlap& undrawn, const Variant& variant, const Drawing& draw) {
+  Overlap agreement = undrawn;
   ItemIds ids;
   draw([&](const raster::ItemBuffer& part) {
     for (const ItemId id : part.ids) {
@@ -111,14 +111,14 @@ Match compare(const Case& given, const Agreement& undrawn, const Variant& varian
   return {agreement.all.with(0), agreement.all.agreeing, agreement.exact, std::move(ids)};
 }
 
-Match compare(const Case& given, const Agreement& undrawn, const Variant& variant) {
+Match compare(const Case& given, const Overlap& undrawn, const Variant& variant) {
   return compare(given, undrawn, variant,
                  [&](const auto& wantsMore) { drawOn(variant.device, given.placed, wantsMore); });
 }
 
 /// The agreement before anything is drawn.
-Agreement undrawnOf(const Case& given) {
-  Agreement undrawn;
+Overlap undrawnOf(const Case& given) {
+  Overlap undrawn;
   for (std::size_t pixel = 0; pixel < given.found.size(); ++pixel) {
     undrawn.remaining += given.mayAgree(pixel);
     undrawn.remainingErrors += given.isError[pixel];
@@ -137,7 +137,7 @@ std::vector<Suspect> suspectsOf(const Case& given, const std::vector<Fault>& fau
   std::vector<Suspect> suspects;
   for (const Fault& fault : faults)
     for (const Variant& variant : fault.variants) suspects.push_back({&fault, &variant});
-  const Agreement undrawn = undrawnOf(given);
+  const Overlap undrawn = undrawnOf(given);
   raster::parallelFor(suspects.size(),
                       [&](std::size_t k) { suspects[k].match = compare(given, undrawn, *suspects[k].variant); });
   std::erase_if(suspects, [](const Suspect& suspect) { return suspect.match.ids.empty(); });
@@ -219,7 +219,7 @@ const raster::DrawList& uploadedBy(const Case& given, const Effect& first, const
 }
 
 /// How two faults agree, the change of the first one before that of the second.
-Match compare(const Case& given, const Agreement& undrawn, const Effect& first, const Effect& second) {
+Match compare(const Case& given, const Overlap& undrawn, const Effect& first, const Effect& second) {
   Variant both{{}, {}, first.variant->rounded.empty() ? second.variant->rounded : first.variant->rounded};
   if (second.variant->device.isDrawnByRules)
     return compare(given, undrawn, both, [&](const auto& wantsMore) {
@@ -250,7 +250,7 @@ struct PairSuspect {
 
 /// All pairs of two faults that explain the errors.
 std::vector<PairSuspect> pairSuspectsOf(const Case& given, const std::vector<Effect>& effects) {
-  const Agreement undrawn = undrawnOf(given);
+  const Overlap undrawn = undrawnOf(given);
   std::vector<std::vector<PairSuspect>> perEffect(effects.size());
   raster::parallelFor(effects.size(), [&](std::size_t k) {
     for (const Effect& other : effects) {

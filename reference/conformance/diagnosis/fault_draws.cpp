@@ -62,7 +62,7 @@ struct Source {
   std::size_t (*of)(std::size_t k, std::size_t count);
 };
 
-constexpr std::array<Source, 4> otherDraws{
+constexpr std::array<Source, 4> wrongSources{
     {{"the first draw", [](std::size_t, std::size_t) { return std::size_t{0}; }},
      {"the last draw", [](std::size_t, std::size_t count) { return count - 1; }},
      {"the draw before", [](std::size_t k, std::size_t) { return k == 0 ? 0 : k - 1; }},
@@ -72,7 +72,7 @@ constexpr std::array<Source, 4> otherDraws{
 template <typename Value, typename TakesPart>
 std::vector<Variant> valuesOfOthers(Value Draw::*value, const TakesPart& takesPart) {
   std::vector<Variant> variants;
-  for (const Source& source : otherDraws)
+  for (const Source& source : wrongSources)
     variants.push_back(withUpload(source.name, [=](DrawList& list) {
       std::vector<Draw*> draws;
       for (Draw& draw : list.draws)

@@ -7,8 +7,6 @@
 namespace hemitex::reference {
 namespace {
 
-constexpr double subPixel = 1.0 / 256;
-
 /// A triangle in a draw of its own, whose item ID is the draw's number; corners in pixels.
 void addNumbered(Picture& picture, const std::array<glm::dvec2, 3>& corners, double w) {
   addDraw(picture, static_cast<raster::ItemId>(picture.draws.size()));
@@ -173,7 +171,7 @@ TestVector edgesBeyondTheView() {
 }
 
 /// Triangles with none, one, two or three corners behind the near plane, some of them on it.
-TestVector behindTheEye() {
+TestVector crossingTheEye() {
   std::mt19937 random(3);
   Picture picture(32, 0.25f);
   for (raster::ItemId id = 0; id < 48; ++id) {
@@ -203,7 +201,7 @@ std::vector<TestVector> coverageVectors() {
           nearPlaneSheet(),
           guardBandSheet(),
           frustumSheet(),
-          behindTheEye(),
+          crossingTheEye(),
           edgesBeyondTheView(),
           subPixelSheet()};
 }

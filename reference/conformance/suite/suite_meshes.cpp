@@ -17,8 +17,6 @@ using Corners = std::array<glm::dvec2, 3>;
 /// A picture of triangles, in pixels.
 using Mesh = std::vector<Corners>;
 
-constexpr double subPixel = 1.0 / 256;
-
 /// One of the six orders of a triangle's corners: three rotations in each winding.
 Corners inOrder(Corners corners, std::size_t order) {
   std::rotate(corners.begin(), corners.begin() + static_cast<std::ptrdiff_t>(order % 3), corners.end());

@@ -241,7 +241,7 @@ bool isFinite(const Attributes& p) {
   return std::all_of(p.begin(), p.end(), [](double value) { return std::isfinite(value); });
 }
 
-bool isCulled(const raster::Draw& draw, bool isBack) {
+bool drawCulls(const raster::Draw& draw, bool isBack) {
   return isBack ? draw.cull == raster::Cull::Back : draw.cull == raster::Cull::Front;
 }
 
@@ -294,7 +294,7 @@ void append(const raster::DrawList& list, const raster::Face& face, const std::v
     triangle.area = cross(triangle.snapped[1] - triangle.snapped[0], triangle.snapped[2] - triangle.snapped[0]);
     const bool isClockwise = sign(triangle.area) == (raster::determinant(face) > 0 ? 1 : -1);
     triangle.isBack = isClockwise == (list.front == raster::Winding::CounterClockwise);
-    if (triangle.area != 0 && !isCulled(*triangle.draw, triangle.isBack)) triangles.push_back(triangle);
+    if (triangle.area != 0 && !drawCulls(*triangle.draw, triangle.isBack)) triangles.push_back(triangle);
   }
 }
 

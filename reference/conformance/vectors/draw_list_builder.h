@@ -20,6 +20,9 @@ inline raster::Face frontFace(int resolution, float nearDistance = 0.01f) {
   return {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, nearDistance, resolution, {0, 0, resolution, resolution}};
 }
 
+/// The distance of grid points to which corners are snapped, in pixels.
+inline constexpr double subPixel = 1.0 / 256;
+
 /// A list of 32-bit item IDs without channels.
 inline raster::DrawList plainList() {
   raster::DrawList list;

@@ -20,7 +20,7 @@ using raster::SlotTable;
 using raster::SummedView;
 
 /// The twins of sums.glsl.
-struct ShaderFace {
+struct SummedFace {
   std::uint32_t width, height, weights, view;
 };
 struct ShaderTable {
@@ -28,14 +28,14 @@ struct ShaderTable {
   raster::ItemId backId;
   std::uint32_t back, words;
 };
-struct ShaderList {
+struct SumList {
   std::uint32_t first, count;
 };
 static_assert(sizeof(SlotTable::Block) == 12);
 
 enum Binding : std::uint32_t { Ids, Faces, Weights, Blocks, Slots, Sums, Touched, Lists, ListedSlots, ListedSums };
 
-std::array<vk::DescriptorType, 10> bindingTypes() {
+std::array<vk::DescriptorType, 10> sumBindingTypes() {
   std::array<vk::DescriptorType, 10> types;
   types.fill(vk::DescriptorType::eStorageBuffer);
   types[Ids] = vk::DescriptorType::eSampledImage;
@@ -114,7 +114,7 @@ std::vector<Flight> makeFlights(const FaceDrawing& drawing) {
   std::vector<Flight> flights;
   for (int f = 0; f < 2; ++f)
     flights.push_back({makeCommands(drawing), vk::raii::Fence(drawing.context.device, vk::FenceCreateInfo()),
-                       makeDescriptors(drawing.context, bindingTypes(), vk::ShaderStageFlagBits::eCompute)});
+                       makeDescriptors(drawing.context, sumBindingTypes(), vk::ShaderStageFlagBits::eCompute)});
   return flights;
 }
 
@@ -172,10 +172,10 @@ void VulkanSums::makeRoom(Flight& flight, const Room& needed) {
   flight.place.reset();
   const auto buffer = [&](std::size_t bytes, BufferUse use) { return makeBuffer(context_, bytes, use); };
   flight.place.emplace(Place{needed, makeCanvas(drawing_, needed.size, needed.faces, needed.views),
-                             buffer(needed.faces * sizeof(ShaderFace), BufferUse::Input),
+                             buffer(needed.faces * sizeof(SummedFace), BufferUse::Input),
                              buffer(needed.views * table_.count() * sizeof(std::uint64_t), BufferUse::Device),
                              buffer(needed.views * constants_.words * sizeof(std::uint32_t), BufferUse::Device),
-                             buffer((needed.views + 1) * sizeof(ShaderList), BufferUse::Output),
+                             buffer((needed.views + 1) * sizeof(SumList), BufferUse::Output),
                              buffer(needed.listed * sizeof(std::uint32_t), BufferUse::Output),
                              buffer(needed.listed * sizeof(std::uint64_t), BufferUse::Output)});
   const Place& place = *flight.place;
@@ -194,14 +194,14 @@ void VulkanSums::start(Flight& flight, std::span<const SummedView> views, std::s
   Room room;
   for (const SummedView& view : views) room = roomWith(room, view);
   makeRoom(flight, room);
-  std::memset(flight.place->lists.bytes, 0, sizeof(ShaderList));
-  std::vector<ShaderFace> faces;
+  std::memset(flight.place->lists.bytes, 0, sizeof(SumList));
+  std::vector<SummedFace> faces;
   for (std::uint32_t v = 0; v < views.size(); ++v)
     for (std::size_t f = 0; f < views[v].faces.size(); ++f) {
       const vk::Extent2D size = sizeOf(views[v].faces[f]);
       faces.push_back({size.width, size.height, firstWeights_[views[v].weights[f]], v});
     }
-  std::memcpy(flight.place->faces.bytes, faces.data(), faces.size() * sizeof(ShaderFace));
+  std::memcpy(flight.place->faces.bytes, faces.data(), faces.size() * sizeof(SummedFace));
   record(flight, views);
   flight.place->isNew = false;
   context_.device.resetFences(*flight.done);
@@ -249,7 +249,7 @@ void VulkanSums::finish(Flight& flight, std::vector<SlotSums>& rows) {
   while (context_.device.waitForFences(*flight.done, true, UINT64_MAX) == vk::Result::eTimeout) {
   }
   const Place& place = *flight.place;
-  const auto* const lists = reinterpret_cast<const ShaderList*>(place.lists.bytes) + 1;
+  const auto* const lists = reinterpret_cast<const SumList*>(place.lists.bytes) + 1;
   const auto* const slots = reinterpret_cast<const std::uint32_t*>(place.listedSlots.bytes);
   const auto* const sums = reinterpret_cast<const std::uint64_t*>(place.listedSums.bytes);
   raster::parallelFor(flight.count, [&](std::size_t v) {

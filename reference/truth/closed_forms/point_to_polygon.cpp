@@ -12,7 +12,7 @@
 namespace hemitex::reference {
 namespace {
 
-using Wide = boost::multiprecision::cpp_bin_float_50;
+using FiftyDigits = boost::multiprecision::cpp_bin_float_50;
 
 /// The angle of a right triangle over its opposite side `size`; `along` is the adjacent side. Infinite if both are
 /// zero, or if a straight angle leaves no side; sums with it are never certain.
@@ -125,7 +125,7 @@ double pointToPolygon(const glm::dvec3& point, const glm::dvec3& normal, std::sp
   const Estimate<double> fast = contourIntegral<double>(point, normal, polygon);
   if (fast.isCertain() || fast.error <= absoluteError) return std::max(fast.value, 0.0);
   if (fast.value < -fast.error) return 0;
-  const Estimate<Wide> careful = contourIntegral<Wide>(point, normal, polygon);
+  const Estimate<FiftyDigits> careful = contourIntegral<FiftyDigits>(point, normal, polygon);
   return careful.isCertain() ? static_cast<double>(careful.value) : 0;
 }
 

@@ -12,7 +12,7 @@ namespace hemitex::reference {
 namespace {
 
 constexpr int side = 4;  ///< of the square of pixels in a packet
-constexpr std::size_t packetSize = side * side;
+constexpr std::size_t pixelsPerPacket = side * side;
 /// Rows of packets per task.
 constexpr int rowsAtOnce = 4;
 
@@ -35,13 +35,13 @@ EmbreeScene treeOver(const raster::DrawList& list) {
 /// Constants of all packets of a face.
 struct FacePacket {
   RTCRayHit16 rays{};
-  std::array<float, packetSize> right{},
+  std::array<float, pixelsPerPacket> right{},
       down{};  ///< from the first sample of a packet to each other one, on the picture plane
 };
 
 FacePacket packetOf(const raster::Face& face) {
   FacePacket packet;
-  for (std::size_t i = 0; i < packetSize; ++i) {
+  for (std::size_t i = 0; i < pixelsPerPacket; ++i) {
     RTCRay16& ray = packet.rays.ray;
     ray.org_x[i] = face.eye.x;
     ray.org_y[i] = face.eye.y;
@@ -58,7 +58,7 @@ void aim(FacePacket& packet, const raster::Face& face, int column, int row) {
   const float x0 = static_cast<float>(2 * column + 1) / static_cast<float>(face.resolution) - 1;
   const float y0 = static_cast<float>(2 * row + 1) / static_cast<float>(face.resolution) - 1;
   RTCRayHit16& rays = packet.rays;
-  for (std::size_t i = 0; i < packetSize; ++i) {
+  for (std::size_t i = 0; i < pixelsPerPacket; ++i) {
     const float x = x0 + packet.right[i], y = y0 + packet.down[i];
     rays.ray.dir_x[i] = face.w.x + x * face.x.x + y * face.y.x;
     rays.ray.dir_y[i] = face.w.y + x * face.x.y + y * face.y.y;
@@ -85,7 +85,7 @@ std::vector<Rows> rowsOf(std::span<const raster::Face> faces) {
 
 void castRows(RTCScene scene, const raster::Face& face, int firstRow, int endRow, raster::ItemBuffer& buffer) {
   FacePacket packet = packetOf(face);
-  alignas(64) std::array<int, packetSize> all;
+  alignas(64) std::array<int, pixelsPerPacket> all;
   all.fill(-1);
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);

@@ -132,7 +132,7 @@ double appendTexels(Pieces pieces, RaySource& raySource) {
   return sum;
 }
 
-Choice choose(std::span<const ShootingRange> ranges, double x) {
+Choice chooseRange(std::span<const ShootingRange> ranges, double x) {
   return choose(ranges, x, [](const ShootingRange& range) { return range.upTo; });
 }
 
@@ -193,11 +193,11 @@ std::vector<std::uint32_t> elementsOfSurface(const radiosity::Discretization& di
 
 ShootingPoint shootingPoint(const RaySource& raySource, double x, double y) {
   const std::span<const ShootingRange> columns(raySource.columns);
-  const Choice column = choose(columns, x);
+  const Choice column = chooseRange(columns, x);
   const std::span texels = membersOf(columns[column.index], raySource.texels);
-  const Choice texel = choose(texels, y);
+  const Choice texel = chooseRange(texels, y);
   const std::span slabs = membersOf(texels[texel.index], raySource.slabs);
-  const Choice slab = choose(slabs, column.within);
+  const Choice slab = chooseRange(slabs, column.within);
   const std::span trapezoids = membersOf(slabs[slab.index], raySource.trapezoids);
   const std::array<double, 2>& whole = trapezoids.back().upTo;
   const double along = placeOnLine(whole[0], whole[1], slab.within);

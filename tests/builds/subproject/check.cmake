@@ -2,7 +2,7 @@
 # Configures the project beside this file, which contains hemitex. Then builds it with FetchContent and without the
 # solver, runs and installs it.
 file(REMOVE_RECURSE ${WORK})
-set(options -G Ninja -DHEMITEX=${SOURCE} -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS_RELEASE=-O2
+set(options -G Ninja -DHEMITEX=${SOURCE} -DCMAKE_BUILD_TYPE=Release -DCMAKE_UNITY_BUILD=ON -DCMAKE_CXX_FLAGS_RELEASE=-O2
   -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER})
 set(fetched OFF ON)
 set(folders hemitex _deps/hemitex-build)

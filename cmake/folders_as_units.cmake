@@ -1,0 +1,15 @@
+# hemitex_folders_as_units(TARGET)
+# In a unity build (CMAKE_UNITY_BUILD), the sources of a folder are compiled together, which takes half the time. So
+# names in the anonymous namespaces of a folder are unique. Sources that define macros for other headers stay alone.
+function(hemitex_folders_as_units target)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD_MODE GROUP)
+  get_target_property(sources ${target} SOURCES)
+  foreach(source IN LISTS sources)
+    cmake_path(GET source PARENT_PATH folder)
+    cmake_path(RELATIVE_PATH folder BASE_DIRECTORY ${PROJECT_SOURCE_DIR})
+    string(MAKE_C_IDENTIFIER "${folder}" group)
+    set_property(SOURCE ${source} PROPERTY UNITY_GROUP ${group})
+  endforeach()
+  list(FILTER sources INCLUDE REGEX "/(kernels|stb_functions|mtl_file|rectangle_packing)\\.cpp$")
+  set_property(SOURCE ${sources} PROPERTY SKIP_UNITY_BUILD_INCLUSION ON)
+endfunction()
