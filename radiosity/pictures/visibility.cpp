@@ -44,10 +44,10 @@ auto directionsOf(const raster::Face& face) {
   };
 }
 
-/// Gives barycentric weights of the intersection of a ray and a triangle's plane. Let a, b, c be the corners relative to
-/// the eye. Then the weights are in the ratio of the volumes d . (b x c), d . (c x a), d . (a x b). If rounding in the
-/// rasterizer puts a sample beside the triangle, the point is moved to its border. If the triangle is seen edge-on, all
-/// its points are equally near.
+/// Gives barycentric weights of the intersection of a ray and a triangle's plane. Let a, b, c be the corners relative
+/// to the eye. Then the weights are in the ratio of the volumes d . (b x c), d . (c x a), d . (a x b). If rounding in
+/// the rasterizer puts a sample beside the triangle, the point is moved to its border. If the triangle is seen edge-on,
+/// all its points are equally near.
 class WeightsInTriangle {
  public:
   WeightsInTriangle() = default;
