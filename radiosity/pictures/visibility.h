@@ -62,8 +62,8 @@ class TriangleView {
  public:
   explicit TriangleView(const Scene& scene);
 
-  /// Only the triangles in `skipped` (numbers in space, ascending) are invisible. `shift` moves the samples to the right
-  /// and up, in distances of samples. The result refers to the view. Throws InputError as cameraFace.
+  /// Only the triangles in `skipped` (numbers in space, ascending) are invisible. `shift` moves the samples to the
+  /// right and up, in distances of samples. The result refers to the view. Throws InputError as cameraFace.
   TriangleSamples see(const Camera& camera, int width, int height, std::span<const std::uint32_t> skipped,
                       const glm::vec2& shift = {});
 

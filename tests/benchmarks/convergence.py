@@ -13,8 +13,8 @@ import matplotlib
 matplotlib.use('Agg')
 from matplotlib import pyplot  # noqa: E402
 
-SCENES = [('cornell-box', []), ('furnished-room', []), ('gallery', ['--residual', '.02']),
-          ('blind', ['--sky', '12,13,16', '--sun', '-.35,.9,1=70,64,52']), ('curved-room', [])]
+SCENES = [('cornell-box', []), ('furnished-room', []), ('gallery', ['--residual', '.1']),
+          ('blind', ['--sky', '12,13,16', '--sun=-.35,.9,1=70,64,52', '--residual', '.05']), ('curved-room', [])]
 SHARES = [.1, .01, .001]
 
 
@@ -44,7 +44,9 @@ def blind(folder):
     slope, half, thickness = math.radians(35), .025, .001
     for slat in range(30):
         def turned(x, y, z, height=.87 + slat * 1.26 / 29):
-            return (x, height + y * math.cos(slope) - z * math.sin(slope), 3.7 + y * math.sin(slope) + z * math.cos(slope))
+            sine, cosine = math.sin(slope), math.cos(slope)
+            return x, height + y * cosine - z * sine, 3.7 + y * sine + z * cosine
+
         box((1.21, 0, -half), (2.79, thickness, half), turned)
     file = f'{folder}/blind.obj'
     with open(f'{folder}/blind.mtl', 'w') as out:
@@ -91,10 +93,11 @@ def main():
         scene = blind(work) if name == 'blind' else f'{data}/{name}.obj'
         for program in programs:
             seconds, shares = curve(program, scene, options, work)
-            panel.semilogy(seconds, shares, label=program)
+            label = os.path.basename(program)
+            panel.semilogy(seconds, shares, label=label)
             reached = [next((s for s, x in zip(seconds, shares) if x <= share), None) for share in SHARES]
-            print(f'| {name} | {program} | ' + ' | '.join('' if s is None else f'{s:.3g}' for s in reached) + ' |',
-                  flush=True)
+            numbers = ['' if s is None else f'{s:.3g}' for s in reached]
+            print('| ' + ' | '.join([name, label, *numbers]) + ' |', flush=True)
         panel.set(title=name, xlabel='processor seconds')
         panel.set_xlim(left=0)
         panel.grid(alpha=.3)
