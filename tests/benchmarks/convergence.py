@@ -13,8 +13,8 @@ import matplotlib
 matplotlib.use('Agg')
 from matplotlib import pyplot  # noqa: E402
 
-SCENES = [('cornell-box', []), ('furnished-room', []), ('gallery', ['--residual', '.1']),
-          ('blind', ['--sky', '12,13,16', '--sun=-.35,.9,1=70,64,52', '--residual', '.05']), ('curved-room', [])]
+SCENES = [('cornell-box', []), ('furnished-room', []), ('gallery', ['--residual', '.01']),
+          ('blind', ['--sky', '12,13,16', '--sun=-.35,.9,1=70,64,52', '--residual', '.01']), ('curved-room', [])]
 SHARES = [.1, .01, .001]
 
 
