@@ -54,6 +54,8 @@ void close(FormFactorRow& row, std::uint64_t total) {
 /// Rounds shares to integers that sum to `total`.
 FormFactorRow roundedRow(const Sums& sums, std::uint64_t total) {
   FormFactorRow result{{}, {}, rounded(sums.background), rounded(sums.back)};
+  result.elements.reserve(sums.elements.size());
+  result.shares.reserve(sums.elements.size());
   for (std::size_t i = 0; i < sums.shares.size(); ++i) {
     if (rounded(sums.shares[i]) == 0) continue;
     result.elements.push_back(sums.elements[i]);

@@ -78,13 +78,23 @@ void appendSamples(const SurfacePart::Face& face, const SurfacePart& to, const S
   }
 }
 
-/// Samples of a part that see the other without blockers; none if the middles of its faces give far less than `least`.
-std::vector<Sample> samplesOf(const SurfacePart& part, const SurfacePart& to, double least) {
+/// The largest result that makes no samples.
+double tooLittle(const NearAccuracy& accuracy) { return 0.5 * accuracy.least; }
+
+/// Whether even facing each other, the parts have less than that: a form factor from a point is at most the area of the
+/// other part over pi d^2 at its smallest distance d. The factor is for rounding.
+bool areFarApart(const SurfacePart& a, const SurfacePart& b, const NearAccuracy& accuracy) {
+  const double distance = distanceBetween(a.bounds, b.bounds);
+  return 1.001 * a.area * b.area < tooLittle(accuracy) * std::numbers::pi * distance * distance;
+}
+
+/// Samples of a part that see the other without blockers; none if the middles of its faces give too little.
+std::vector<Sample> samplesOf(const SurfacePart& part, const SurfacePart& to, const NearAccuracy& accuracy) {
   std::vector<Sample> middles, samples;
   for (const SurfacePart::Face& face : part.faces) middles.push_back(middleOf(face, to));
   const double coarse = exchangeOf(middles);
-  if (coarse < 0.5 * least) return samples;
-  const double tolerance = (least > 0 ? roughly : 1) * mostChange * coarse;
+  if (coarse < tooLittle(accuracy)) return samples;
+  const double tolerance = (accuracy.least > 0 ? roughly : 1) * mostChange * coarse;
   for (std::size_t f = 0; f < part.faces.size(); ++f)
     appendSamples(part.faces[f], to, middles[f], tolerance, 0, samples);
   std::erase_if(samples, [](const Sample& sample) { return !(sample.factor > 0); });
@@ -186,9 +196,10 @@ double distanceBetween(const Bounds& a, const Bounds& b) {
 }
 
 double exchangeArea(const SurfacePart& a, const SurfacePart& b, const RayTree& tree, const NearAccuracy& accuracy) {
+  if (areFarApart(a, b, accuracy)) return 0;
   const bool isFirst = a.size() <= b.size();
   const SurfacePart &from = isFirst ? a : b, &to = isFirst ? b : a;
-  const std::vector<Sample> samples = samplesOf(from, to, accuracy.least);
+  const std::vector<Sample> samples = samplesOf(from, to, accuracy);
   if (samples.empty()) return 0;
   return exchangeOf(samples) * visibleShare(samples, to, tree, accuracy.height, accuracy.rays);
 }

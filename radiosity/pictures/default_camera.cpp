@@ -195,7 +195,7 @@ class ViewScores {
     const glm::dvec3 forward = glm::normalize(camera.lookAt - camera.eye);
     SeenAreas seen;
     int sky = 0, backs = 0, near = 0, nearMiddle = 0;
-    const auto samples = view_.see(camera, viewWidth, viewHeight, {});
+    const auto samples = allPoints(view_.see(camera, viewWidth, viewHeight, {}));
     for (int row = 0; row < viewHeight; ++row)
       for (int column = 0; column < viewWidth; ++column) {
         const std::optional<Visible>& sample = samples[static_cast<std::size_t>(row * viewWidth + column)];

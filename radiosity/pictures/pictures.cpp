@@ -15,7 +15,7 @@ namespace {
 
 constexpr int largestPicture = 2048;
 
-using Samples = std::vector<std::optional<Visible>>;
+using SampleRow = std::vector<std::optional<Visible>>;
 
 void requireSides(int width, int height) {
   if (std::max(width, height) > largestPicture)
@@ -38,17 +38,22 @@ Image halved(const std::vector<glm::dvec3>& samples, int width, int height) {
   return image;
 }
 
-/// The mean colour of 2 x 2 samples per pixel.
-Image meanColours(const Samples& samples, int width, int height, const ColourOf& colourOf,
-                  const glm::dvec3& background) {
-  std::vector<glm::dvec3> colours(samples.size(), background);
-  const std::size_t rowLength = 2 * static_cast<std::size_t>(width);
-  raster::parallelFor(samples.size() / rowLength, [&](std::size_t row) {
-    for (std::size_t i = row * rowLength; i < (row + 1) * rowLength; ++i)
-      if (samples[i]) colours[i] = colourOf(*samples[i]);
-  });
-  return halved(colours, width, height);
-}
+/// The mean colour of the 2 x 2 samples of a pixel.
+class MeanColour {
+ public:
+  MeanColour(const ColourOf& colourOf, const glm::dvec3& background) : colourOf_(colourOf), background_(background) {}
+
+  glm::dvec3 operator()(const SampleRow& upper, const SampleRow& lower, int pixel) const {
+    const auto left = 2 * static_cast<std::size_t>(pixel);
+    return (of(upper[left]) + of(upper[left + 1]) + of(lower[left]) + of(lower[left + 1])) / 4.0;
+  }
+
+ private:
+  glm::dvec3 of(const std::optional<Visible>& sample) const { return sample ? colourOf_(*sample) : background_; }
+
+  const ColourOf& colourOf_;
+  glm::dvec3 background_;
+};
 
 /// Whether an edge of the picture is between two samples: they show different surfaces, or triangles of one surface
 /// whose normals differ by more than 5 degrees. Otherwise, too, if one point is farther from the plane of the other
@@ -85,26 +90,25 @@ class EdgeTest {
   double pixelSide_;  ///< at distance 1
 };
 
-/// Whether an edge is between the samples of the pixel of a sample, or between these and those beside them; one per
-/// sample.
-std::vector<std::uint8_t> edgesOf(const EdgeTest& test, const Samples& samples, int width, int height) {
-  const int columns = 2 * width, rows = 2 * height;
-  const auto at = [&](int column, int row) {
-    return static_cast<std::size_t>(std::clamp(row, 0, rows - 1)) * static_cast<std::size_t>(columns) +
-           static_cast<std::size_t>(std::clamp(column, 0, columns - 1));
-  };
-  std::vector<std::uint8_t> edges(samples.size());
-  raster::parallelFor(static_cast<std::size_t>(height), [&](std::size_t pixelRow) {
-    const int top = 2 * static_cast<int>(pixelRow);
-    for (int left = 0; left < columns; left += 2) {
-      const auto& first = samples[at(left, top)];
-      bool isEdge = false;
-      for (int k = 0; k < 16 && !isEdge; ++k)
-        isEdge = test.isBetween(first, samples[at(left - 1 + k % 4, top - 1 + k / 4)]);
-      for (int k = 0; k < 4; ++k) edges[at(left + k % 2, top + k / 2)] = isEdge;
-    }
+/// Whether an edge is between the samples of a pixel, or between these and those beside them, in four rows.
+bool isAtEdge(const EdgeTest& test, std::span<const SampleRow, 4> rows, int pixel) {
+  const int left = 2 * pixel, last = static_cast<int>(rows[1].size()) - 1;
+  const auto& first = rows[1][static_cast<std::size_t>(left)];
+  for (int k = 0; k < 16; ++k) {
+    const int column = std::clamp(left - 1 + k % 4, 0, last);
+    if (test.isBetween(first, rows[static_cast<std::size_t>(k / 4)][static_cast<std::size_t>(column)])) return true;
+  }
+  return false;
+}
+
+/// Calls body(row, edges of the row) for the rows of pixels in which edges mark any, at the same time.
+void forEachRowWithEdges(const std::vector<std::uint8_t>& edges, int width,
+                         const std::function<void(int row, std::span<const std::uint8_t>)>& body) {
+  const auto columns = static_cast<std::size_t>(width);
+  raster::parallelFor(edges.size() / columns, [&](std::size_t row) {
+    const std::span ofRow = std::span(edges).subspan(row * columns, columns);
+    if (std::find(ofRow.begin(), ofRow.end(), 1) != ofRow.end()) body(static_cast<int>(row), ofRow);
   });
-  return edges;
 }
 
 const Triangle& triangleOf(const Scene& scene, const Visible& visible) {
@@ -161,21 +165,43 @@ std::uint32_t elementAt(const Scene& scene, const Discretization& discretization
 Image drawPicture(const Scene& scene, const Camera& camera, int width, int height, const ColourOf& colourOf,
                   const glm::dvec3& background) {
   requireSides(width, height);
+  constexpr int rowsOfTask = 16;
   const std::vector<std::uint32_t> skipped = trianglesFacingAway(scene, camera.eye);
+  const EdgeTest test(scene, camera, height);
+  const MeanColour meanColour(colourOf, background);
   TriangleView view(scene);
-  const Samples samples = view.see(camera, 2 * width, 2 * height, skipped);
-  Image image = meanColours(samples, width, height, colourOf, background);
-  const std::vector<std::uint8_t> edges = edgesOf(EdgeTest(scene, camera, height), samples, width, height);
-  std::vector<glm::dvec3> sums(image.pixels.size(), glm::dvec3(0));
+  const TriangleSamples samples = view.see(camera, 2 * width, 2 * height, skipped);
+  const auto pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  const auto at = [&](int column, int row) {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(width) + static_cast<std::size_t>(column);
+  };
+  Image image{width, height, std::vector<glm::dvec3>(pixels)};
+  std::vector<std::uint8_t> edges(pixels);
+  raster::parallelFor(static_cast<std::size_t>((height + rowsOfTask - 1) / rowsOfTask), [&](std::size_t task) {
+    const int first = static_cast<int>(task) * rowsOfTask, end = std::min(first + rowsOfTask, height);
+    std::vector<SampleRow> rows;
+    for (int row = 2 * first - 1; row <= 2 * end; ++row)
+      rows.push_back(samples.row(std::clamp(row, 0, 2 * height - 1)));
+    for (int row = first; row < end; ++row) {
+      const std::span<const SampleRow, 4> around(&rows[2 * static_cast<std::size_t>(row - first)], 4);
+      for (int column = 0; column < width; ++column) {
+        edges[at(column, row)] = isAtEdge(test, around, column);
+        if (!edges[at(column, row)]) image.pixels[at(column, row)] = meanColour(around[1], around[2], column);
+      }
+    }
+  });
   for (const glm::vec2& shift : {glm::vec2(-0.25F, -0.25F), {0.25F, -0.25F}, {-0.25F, 0.25F}, {0.25F, 0.25F}}) {
-    const Samples shifted = view.see(camera, 2 * width, 2 * height, skipped, shift, edges);
-    const Image finer = meanColours(shifted, width, height, colourOf, background);
-    for (std::size_t p = 0; p < sums.size(); ++p) sums[p] += finer.pixels[p];
+    const TriangleSamples shifted = view.see(camera, 2 * width, 2 * height, skipped, shift);
+    forEachRowWithEdges(edges, width, [&](int row, std::span<const std::uint8_t> ofRow) {
+      std::vector<std::uint8_t> wanted;
+      for (const std::uint8_t isEdge : ofRow) wanted.insert(wanted.end(), 2, isEdge);
+      const SampleRow upper = shifted.row(2 * row, wanted), lower = shifted.row(2 * row + 1, wanted);
+      for (int column = 0; column < width; ++column)
+        if (edges[at(column, row)]) image.pixels[at(column, row)] += meanColour(upper, lower, column);
+    });
   }
-  for (std::size_t p = 0; p < sums.size(); ++p) {
-    const std::size_t row = p / static_cast<std::size_t>(width), column = p % static_cast<std::size_t>(width);
-    if (edges[4 * row * static_cast<std::size_t>(width) + 2 * column]) image.pixels[p] = sums[p] / 4.0;
-  }
+  for (std::size_t p = 0; p < pixels; ++p)
+    if (edges[p]) image.pixels[p] /= 4.0;
   return image;
 }
 

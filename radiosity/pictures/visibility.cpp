@@ -3,17 +3,19 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "radiosity/index_maps/scene_draw_list.h"
 #include "radiosity/projection/patch_view.h"
-#include "raster/base/parallel.h"
 
 namespace hemitex::radiosity {
 namespace {
 
+constexpr const char* numberFormat = "r32ui";
+
 raster::DrawList makeTriangleList(const Scene& scene) {
   raster::DrawList list;
-  list.format = *raster::formatNamed("r32ui");
+  list.format = *raster::formatNamed(numberFormat);
   raster::ItemId number = 0;
   HoleMaps holes(scene);
   forEachPlace(scene, [&](const TrianglePlace& place) {
@@ -42,18 +44,31 @@ auto directionsOf(const raster::Face& face) {
   };
 }
 
-/// Barycentric weights of the intersection of a ray and a triangle's plane. Let a, b, c be the corners relative to the
-/// eye. Then the weights are in the ratio of the volumes d . (b x c), d . (c x a), d . (a x b). If rounding in the
-/// rasterizer puts a sample beside the triangle, the point is moved to its border. If the triangle is seen edge-on, all
-/// its points are equally near.
-glm::dvec3 weightsOf(const std::array<glm::dvec3, 3>& corner, const glm::dvec3& eye, const glm::dvec3& direction) {
-  const glm::dvec3 a = corner[0] - eye, b = corner[1] - eye, c = corner[2] - eye;
-  const glm::dvec3 volumes(glm::dot(direction, glm::cross(b, c)), glm::dot(direction, glm::cross(c, a)),
-                           glm::dot(direction, glm::cross(a, b)));
-  const glm::dvec3 weights = glm::max(volumes / (volumes.x + volumes.y + volumes.z), glm::dvec3(0.0));
-  const double sum = weights.x + weights.y + weights.z;
-  return sum > 0 && std::isfinite(sum) ? weights / sum : glm::dvec3(1.0 / 3);
-}
+/// Gives barycentric weights of the intersection of a ray and a triangle's plane. Let a, b, c be the corners relative
+/// to the eye. Then the weights are in the ratio of the volumes d . (b x c), d . (c x a), d . (a x b). If rounding in
+/// the rasterizer puts a sample beside the triangle, the point is moved to its border. If the triangle is seen edge-on,
+/// all its points are equally near.
+class WeightsInTriangle {
+ public:
+  WeightsInTriangle() = default;
+  WeightsInTriangle(const Scene& scene, const TrianglePlace& place, const glm::dvec3& eye) {
+    std::array<glm::dvec3, 3> corner = scene.surfaces[place.surface].triangles[place.triangle].position;
+    for (glm::dvec3& position : corner) position = scene.instances[place.instance](position) - scene.origin - eye;
+    const auto& [a, b, c] = corner;
+    normals_ = {glm::cross(b, c), glm::cross(c, a), glm::cross(a, b)};
+  }
+
+  glm::dvec3 along(const glm::dvec3& direction) const {
+    const glm::dvec3 volumes(glm::dot(direction, normals_[0]), glm::dot(direction, normals_[1]),
+                             glm::dot(direction, normals_[2]));
+    const glm::dvec3 weights = glm::max(volumes / (volumes.x + volumes.y + volumes.z), glm::dvec3(0.0));
+    const double sum = weights.x + weights.y + weights.z;
+    return sum > 0 && std::isfinite(sum) ? weights / sum : glm::dvec3(1.0 / 3);
+  }
+
+ private:
+  std::array<glm::dvec3, 3> normals_{};  ///< of the planes through the eye and an edge
+};
 
 }  // namespace
 
@@ -61,32 +76,41 @@ TriangleView::TriangleView(const Scene& scene) : scene_(scene), renderer_(makeTr
   forEachPlace(scene, [&](const TrianglePlace& place) { places_.push_back(place); });
 }
 
-std::vector<std::optional<Visible>> TriangleView::see(const Camera& camera, int width, int height,
-                                                      std::span<const std::uint32_t> skipped, const glm::vec2& shift,
-                                                      std::span<const std::uint8_t> wanted) {
+TriangleSamples TriangleView::see(const Camera& camera, int width, int height, std::span<const std::uint32_t> skipped,
+                                  const glm::vec2& shift) {
   raster::Face face = cameraFace(scene_, camera, width, height);
   // A point at x is drawn at x less the shift, and so on. The distance of samples is 2 / resolution.
   face.x -= 2 * shift.x / static_cast<float>(face.resolution) * face.w;
   face.y -= 2 * shift.y / static_cast<float>(face.resolution) * face.w;
-  const raster::ItemBuffer buffer = render(renderer_, {&face, 1}, skipped).front();
-  const raster::ItemId background = raster::backgroundId(renderer_.drawList().format);
-  const auto direction = directionsOf(face);
-  std::vector<std::optional<Visible>> samples(buffer.ids.size());
-  raster::parallelFor(static_cast<std::size_t>(height), [&](std::size_t rowIndex) {
-    const auto row = static_cast<int>(rowIndex);
-    for (int column = 0; column < width; ++column) {
-      const auto pixel = rowIndex * static_cast<std::size_t>(width) + static_cast<std::size_t>(column);
-      const auto sample = (static_cast<std::size_t>(height) - 1 - rowIndex) * static_cast<std::size_t>(width) +
-                          static_cast<std::size_t>(column);
-      if (buffer.ids[pixel] == background || (!wanted.empty() && wanted[sample] == 0)) continue;
-      const TrianglePlace& place = places_[buffer.ids[pixel]];
-      std::array<glm::dvec3, 3> corner = scene_.surfaces[place.surface].triangles[place.triangle].position;
-      for (glm::dvec3& position : corner) position = scene_.instances[place.instance](position) - scene_.origin;
-      samples[sample] = {place.surface, place.triangle, weightsOf(corner, glm::dvec3(face.eye), direction(column, row)),
-                         place.instance};
-    }
-  });
-  return samples;
+  return {scene_, places_, face, std::move(render(renderer_, {&face, 1}, skipped).front())};
+}
+
+std::vector<std::optional<Visible>> TriangleSamples::row(int row, std::span<const std::uint8_t> wanted) const {
+  const auto width = static_cast<std::size_t>(numbers_.width);
+  const int drawnRow = numbers_.height - 1 - row;
+  const std::span numbers = std::span(numbers_.ids).subspan(static_cast<std::size_t>(drawnRow) * width, width);
+  const raster::ItemId background = raster::backgroundId(*raster::formatNamed(numberFormat));
+  const auto direction = directionsOf(face_);
+  std::vector<std::optional<Visible>> points(width);
+  raster::ItemId last = background;
+  WeightsInTriangle weights;
+  for (std::size_t i = 0; i < width; ++i) {
+    if (numbers[i] == background || (!wanted.empty() && wanted[i] == 0)) continue;
+    const TrianglePlace& place = places_[numbers[i]];
+    if (std::exchange(last, numbers[i]) != numbers[i]) weights = {scene_, place, glm::dvec3(face_.eye)};
+    points[i] = {place.surface, place.triangle, weights.along(direction(static_cast<int>(i), drawnRow)),
+                 place.instance};
+  }
+  return points;
+}
+
+std::vector<std::optional<Visible>> allPoints(const TriangleSamples& samples) {
+  std::vector<std::optional<Visible>> points;
+  for (int row = 0; row < samples.rows(); ++row) {
+    const std::vector<std::optional<Visible>> ofRow = samples.row(row);
+    points.insert(points.end(), ofRow.begin(), ofRow.end());
+  }
+  return points;
 }
 
 glm::dvec3 positionOf(const Scene& scene, const Visible& visible) {
@@ -96,7 +120,8 @@ glm::dvec3 positionOf(const Scene& scene, const Visible& visible) {
 }
 
 std::vector<std::optional<Visible>> visibleSamples(const Scene& scene, const Camera& camera, int width, int height) {
-  return TriangleView(scene).see(camera, width, height, trianglesFacingAway(scene, camera.eye));
+  TriangleView view(scene);
+  return allPoints(view.see(camera, width, height, trianglesFacingAway(scene, camera.eye)));
 }
 
 std::vector<bool> seenSurfaces(const Scene& scene, const Camera& camera, int width, int height) {

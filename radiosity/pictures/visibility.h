@@ -7,6 +7,7 @@
 #include <glm/glm.hpp>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "radiosity/pictures/camera.h"
@@ -35,22 +36,44 @@ std::vector<std::optional<Visible>> visibleSamples(const Scene& scene, const Cam
 /// ground around the house. Throws InputError as cameraFace.
 std::vector<bool> seenSurfaces(const Scene& scene, const Camera& camera, int width, int height);
 
+/// The triangles that the samples of a picture show. Points are computed per row, because those of a whole picture take
+/// fifty bytes per sample.
+class TriangleSamples {
+ public:
+  /// The visible points of a row, row 0 at the TOP; nothing for the background. With `wanted`, one per sample, the
+  /// others are left out.
+  std::vector<std::optional<Visible>> row(int row, std::span<const std::uint8_t> wanted = {}) const;
+  int rows() const { return numbers_.height; }
+
+ private:
+  friend class TriangleView;
+  TriangleSamples(const Scene& scene, std::span<const TrianglePlace> places, const raster::Face& face,
+                  raster::ItemBuffer numbers)
+      : scene_(scene), places_(places), face_(face), numbers_(std::move(numbers)) {}
+
+  const Scene& scene_;
+  std::span<const TrianglePlace> places_;
+  raster::Face face_;
+  raster::ItemBuffer numbers_;  ///< of triangles, row 0 at the bottom
+};
+
 /// For several pictures of one scene, which must outlive it.
 class TriangleView {
  public:
   explicit TriangleView(const Scene& scene);
 
-  /// As visibleSamples, but only the triangles in `skipped` (numbers in space, ascending) are invisible. `shift` moves
-  /// the samples to the right and up, in distances of samples. With `wanted`, one per sample, row 0 at the top, the
-  /// others are left out.
-  std::vector<std::optional<Visible>> see(const Camera& camera, int width, int height,
-                                          std::span<const std::uint32_t> skipped, const glm::vec2& shift = {},
-                                          std::span<const std::uint8_t> wanted = {});
+  /// Only the triangles in `skipped` (numbers in space, ascending) are invisible. `shift` moves the samples to the
+  /// right and up, in distances of samples. The result refers to the view. Throws InputError as cameraFace.
+  TriangleSamples see(const Camera& camera, int width, int height, std::span<const std::uint32_t> skipped,
+                      const glm::vec2& shift = {});
 
  private:
   const Scene& scene_;
   std::vector<TrianglePlace> places_;  ///< of each triangle
   raster::SoftwareRenderer renderer_;
 };
+
+/// The visible points of all samples, row by row from the top.
+std::vector<std::optional<Visible>> allPoints(const TriangleSamples& samples);
 
 }  // namespace hemitex::radiosity

@@ -41,7 +41,8 @@ constexpr std::size_t fetchedAhead = 32;
 template <std::size_t bands>
 struct Arrival {
   std::uint32_t surface;
-  std::span<const std::uint32_t> elements;
+  std::size_t count;                        ///< of entries in the surface
+  std::span<const std::uint32_t> elements;  ///< of these, and then of all later entries, for prefetching
   std::span<const std::uint64_t> shares;
   std::span<const double, bands> shot;
   double unitsPerFlux;  ///< 0 if the surface is not seen
@@ -96,7 +97,7 @@ std::int64_t receive(const Arrival<bands>& arrival, const ElementMaterials& mate
   };
   const bool isSeen = arrival.unitsPerFlux > 0;
   std::int64_t units = 0;
-  for (std::size_t i = 0; i < elements.size(); ++i) {
+  for (std::size_t i = 0; i < arrival.count; ++i) {
     if (i + fetchedAhead < elements.size()) __builtin_prefetch(received[elements[i + fetchedAhead]].data(), 1);
     const double factor = formFactor(arrival.shares[i]);
     if (isSeen) units -= unitsOf(elements[i]);
@@ -117,13 +118,21 @@ std::int64_t receiveByElements(const Arrival<bands>& arrival, const ElementMater
   });
 }
 
+/// Contents are ignored; the allocations are reused.
+struct PatchSums {
+  std::vector<std::uint64_t> shareOf;  ///< one per patch of a surface
+  Bands reflected;
+};
+
 /// As above for a uniform reflectance and patches with several receiving elements: sums the shares per patch first,
 /// except for patches made by splits.
 template <std::size_t bands>
 std::int64_t receiveByPatches(const Arrival<bands>& arrival, const ElementMaterials& materials, const Grid& grid,
-                              std::span<const std::uint32_t> patchOf, BandTable& received, ReceivingPatches patches) {
+                              std::span<const std::uint32_t> patchOf, BandTable& received, ReceivingPatches patches,
+                              PatchSums& sums) {
   const std::span<const double> reflectance = materials.reflectance(arrival.surface, grid.firstElement);
-  std::vector<std::uint64_t> shareOf(grid.patchCount);
+  std::vector<std::uint64_t>& shareOf = sums.shareOf;
+  shareOf.assign(grid.patchCount, 0);
   const std::int64_t units = receive(arrival, materials, received, [&](std::size_t i, double factor) {
     const std::uint32_t patch = patchOf[arrival.elements[i]];
     if (patch - grid.firstPatch < shareOf.size())
@@ -131,10 +140,10 @@ std::int64_t receiveByPatches(const Arrival<bands>& arrival, const ElementMateri
     else
       addReflected(patches[patch], arrival.shot, factor, reflectance);
   });
-  Bands reflected(arrival.shot.size());
-  addReflected(reflected, arrival.shot, 1, reflectance);
+  sums.reflected.assign(arrival.shot.size(), 0);
+  addReflected(sums.reflected, arrival.shot, 1, reflectance);
   for (std::uint32_t p = 0; p < grid.patchCount; ++p)
-    if (shareOf[p] != 0) addTo(patches[grid.firstPatch + p], reflected, formFactor(shareOf[p]));
+    if (shareOf[p] != 0) addTo(patches[grid.firstPatch + p], sums.reflected, formFactor(shareOf[p]));
   return units;
 }
 
@@ -157,21 +166,23 @@ Receipt receive(const Part& part, std::span<const double, bands> shot, const For
                 const SeenSurfaces& seen, const ElementMaterials& materials, const Discretization& discretization,
                 std::span<const std::uint32_t> patchOf, BandTable& received, UnshotTree& unshot) {
   Receipt receipt{.blocks = {}, .visits = part.end - part.first, .seenUnits = 0};
+  PatchSums sums;
   for (std::size_t first = part.first, end = part.first; first < part.end; first = end) {
     const std::uint32_t surface = discretization.elements[row.elements[first]].surface;
     const Grid& grid = discretization.grids[surface];
-    const auto behind = std::lower_bound(row.elements.begin() + static_cast<std::ptrdiff_t>(first),
-                                         row.elements.begin() + static_cast<std::ptrdiff_t>(part.end), endOf(grid));
-    end = static_cast<std::size_t>(behind - row.elements.begin());
+    while (end < part.end && row.elements[end] < endOf(grid)) ++end;
     const std::size_t count = end - first;
-    const Arrival<bands> arrival{surface, std::span(row.elements).subspan(first, count),
-                                 std::span(row.shares).subspan(first, count), shot,
+    const Arrival<bands> arrival{surface,
+                                 count,
+                                 std::span(row.elements).subspan(first),
+                                 std::span(row.shares).subspan(first, count),
+                                 shot,
                                  !seen.surfaces.empty() && seen.surfaces[surface] ? seen.unitsPerFlux : 0};
     const ReceivingPatches patches(unshot, receipt.blocks);
     // The pass over patches must not be longer than that over entries: a row may contain few elements of a large
     // surface.
     if (!materials.hasReflectanceMaps() && grid.patchCount <= count / 2) {
-      receipt.seenUnits += receiveByPatches(arrival, materials, grid, patchOf, received, patches);
+      receipt.seenUnits += receiveByPatches(arrival, materials, grid, patchOf, received, patches, sums);
       receipt.visits += grid.patchCount;
     } else {
       receipt.seenUnits += receiveByElements(arrival, materials, patchOf, received, patches);

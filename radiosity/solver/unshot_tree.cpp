@@ -1,6 +1,7 @@
 #include "radiosity/solver/unshot_tree.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <queue>
 #include <tuple>
@@ -32,19 +33,21 @@ void UnshotTree::grow(std::size_t patches) {
   }
 }
 
-/// Computes a lowest node from its patches.
+/// Computes a lowest node from its patches. The size of three bands is computed faster than a branch is mispredicted.
 template <std::size_t bands>
 void UnshotTree::sumPatches(std::size_t first, std::size_t end, Node& node, std::span<double> sizes) {
+  std::array<double, bands == 3 ? 3 : 1> sum{};  // not in memory that others may change
   for (std::size_t i = first; i < end; ++i) {
     const auto flux = flux_.of<bands>(i);
-    if (isChanged_[i]) sizes_[i] = sizeSum<bands>(flux);
+    if (bands == 3 || isChanged_[i]) sizes_[i] = sizeSum<bands>(flux);
     isChanged_[i] = 0;
     node.add(sizes_[i], static_cast<std::uint32_t>(i));
     if constexpr (bands == 3)
-      for (std::size_t band = 0; band < bands; ++band) sizes[band] += std::abs(flux[band]);
+      for (std::size_t band = 0; band < bands; ++band) sum[band] += std::abs(flux[band]);
     else
-      sizes[0] += sizes_[i];
+      sum[0] += sizes_[i];
   }
+  std::copy(sum.begin(), sum.end(), sizes.begin());
 }
 
 /// Computes a node from its children; returns their number.
