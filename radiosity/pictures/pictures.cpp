@@ -38,18 +38,6 @@ Image halved(const std::vector<glm::dvec3>& samples, int width, int height) {
   return image;
 }
 
-/// The mean colour of 2 x 2 samples per pixel.
-Image meanColours(const Samples& samples, int width, int height, const ColourOf& colourOf,
-                  const glm::dvec3& background) {
-  std::vector<glm::dvec3> colours(samples.size(), background);
-  const std::size_t rowLength = 2 * static_cast<std::size_t>(width);
-  raster::parallelFor(samples.size() / rowLength, [&](std::size_t row) {
-    for (std::size_t i = row * rowLength; i < (row + 1) * rowLength; ++i)
-      if (samples[i]) colours[i] = colourOf(*samples[i]);
-  });
-  return halved(colours, width, height);
-}
-
 /// Whether an edge of the picture is between two samples: they show different surfaces, or triangles of one surface
 /// whose normals differ by more than 5 degrees. Otherwise, too, if one point is farther from the plane of the other
 /// than the side of a pixel there, as at the outline of a part in front of another.
@@ -164,12 +152,20 @@ Image drawPicture(const Scene& scene, const Camera& camera, int width, int heigh
   const std::vector<std::uint32_t> skipped = trianglesFacingAway(scene, camera.eye);
   TriangleView view(scene);
   const Samples samples = view.see(camera, 2 * width, 2 * height, skipped);
-  Image image = meanColours(samples, width, height, colourOf, background);
+  std::vector<glm::dvec3> colours(samples.size(), background);
+  raster::parallelFor(2 * static_cast<std::size_t>(height), [&](std::size_t row) {
+    const std::size_t rowLength = 2 * static_cast<std::size_t>(width);
+    for (std::size_t i = row * rowLength; i < (row + 1) * rowLength; ++i)
+      if (samples[i]) colours[i] = colourOf(*samples[i]);
+  });
+  Image image = halved(colours, width, height);
   const std::vector<std::uint8_t> edges = edgesOf(EdgeTest(scene, camera, height), samples, width, height);
   std::vector<glm::dvec3> sums(image.pixels.size(), glm::dvec3(0));
   for (const glm::vec2& shift : {glm::vec2(-0.25F, -0.25F), {0.25F, -0.25F}, {-0.25F, 0.25F}, {0.25F, 0.25F}}) {
-    const Samples shifted = view.see(camera, 2 * width, 2 * height, skipped, shift, edges);
-    const Image finer = meanColours(shifted, width, height, colourOf, background);
+    std::fill(colours.begin(), colours.end(), background);
+    view.visit(camera, 2 * width, 2 * height, skipped, shift, edges,
+               [&](std::size_t sample, const Visible& visible) { colours[sample] = colourOf(visible); });
+    const Image finer = halved(colours, width, height);
     for (std::size_t p = 0; p < sums.size(); ++p) sums[p] += finer.pixels[p];
   }
   for (std::size_t p = 0; p < sums.size(); ++p) {

@@ -62,8 +62,16 @@ TriangleView::TriangleView(const Scene& scene) : scene_(scene), renderer_(makeTr
 }
 
 std::vector<std::optional<Visible>> TriangleView::see(const Camera& camera, int width, int height,
-                                                      std::span<const std::uint32_t> skipped, const glm::vec2& shift,
-                                                      std::span<const std::uint8_t> wanted) {
+                                                      std::span<const std::uint32_t> skipped) {
+  std::vector<std::optional<Visible>> samples(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  visit(camera, width, height, skipped, {}, {},
+        [&](std::size_t sample, const Visible& visible) { samples[sample] = visible; });
+  return samples;
+}
+
+void TriangleView::visit(const Camera& camera, int width, int height, std::span<const std::uint32_t> skipped,
+                         const glm::vec2& shift, std::span<const std::uint8_t> wanted,
+                         const std::function<void(std::size_t, const Visible&)>& visitSample) {
   raster::Face face = cameraFace(scene_, camera, width, height);
   // A point at x is drawn at x less the shift, and so on. The distance of samples is 2 / resolution.
   face.x -= 2 * shift.x / static_cast<float>(face.resolution) * face.w;
@@ -71,7 +79,6 @@ std::vector<std::optional<Visible>> TriangleView::see(const Camera& camera, int 
   const raster::ItemBuffer buffer = render(renderer_, {&face, 1}, skipped).front();
   const raster::ItemId background = raster::backgroundId(renderer_.drawList().format);
   const auto direction = directionsOf(face);
-  std::vector<std::optional<Visible>> samples(buffer.ids.size());
   raster::parallelFor(static_cast<std::size_t>(height), [&](std::size_t rowIndex) {
     const auto row = static_cast<int>(rowIndex);
     for (int column = 0; column < width; ++column) {
@@ -82,11 +89,10 @@ std::vector<std::optional<Visible>> TriangleView::see(const Camera& camera, int 
       const TrianglePlace& place = places_[buffer.ids[pixel]];
       std::array<glm::dvec3, 3> corner = scene_.surfaces[place.surface].triangles[place.triangle].position;
       for (glm::dvec3& position : corner) position = scene_.instances[place.instance](position) - scene_.origin;
-      samples[sample] = {place.surface, place.triangle, weightsOf(corner, glm::dvec3(face.eye), direction(column, row)),
-                         place.instance};
+      visitSample(sample, {place.surface, place.triangle,
+                           weightsOf(corner, glm::dvec3(face.eye), direction(column, row)), place.instance});
     }
   });
-  return samples;
 }
 
 glm::dvec3 positionOf(const Scene& scene, const Visible& visible) {

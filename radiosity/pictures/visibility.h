@@ -3,7 +3,9 @@
 /// triangle's plane.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <glm/glm.hpp>
 #include <optional>
 #include <span>
@@ -40,12 +42,15 @@ class TriangleView {
  public:
   explicit TriangleView(const Scene& scene);
 
-  /// As visibleSamples, but only the triangles in `skipped` (numbers in space, ascending) are invisible. `shift` moves
-  /// the samples to the right and up, in distances of samples. With `wanted`, one per sample, row 0 at the top, the
-  /// others are left out.
+  /// As visibleSamples, but only the triangles in `skipped` (numbers in space, ascending) are invisible.
   std::vector<std::optional<Visible>> see(const Camera& camera, int width, int height,
-                                          std::span<const std::uint32_t> skipped, const glm::vec2& shift = {},
-                                          std::span<const std::uint8_t> wanted = {});
+                                          std::span<const std::uint32_t> skipped);
+  /// Calls visitSample(sample, its visible point) for the samples of `see` that do not show the background, in any
+  /// order and from several threads at a time. `shift` moves the samples to the right and up, in distances of samples.
+  /// With `wanted`, one per sample, the others are left out.
+  void visit(const Camera& camera, int width, int height, std::span<const std::uint32_t> skipped,
+             const glm::vec2& shift, std::span<const std::uint8_t> wanted,
+             const std::function<void(std::size_t, const Visible&)>& visitSample);
 
  private:
   const Scene& scene_;
