@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <span>
 #include <utility>
 
@@ -33,17 +34,28 @@ ParallelViews viewsFor(const Scene& scene, const Discretization& discretization,
   return {bounds, std::clamp(2 * static_cast<int>(across / 2 + 1), smallestViews, largestViews)};
 }
 
-/// Whether the back of another face lies on the triangle, at its middle and near its corners.
-bool isCovered(const Scene& scene, const RayTree& rays, const Triangle& triangle) {
+/// Whether the back of another face lies on the triangle, at its middle and near its corners. Triangles of the surface
+/// `except` are known to have no such back.
+bool isCovered(const Scene& scene, const RayTree& rays, const Triangle& triangle, std::uint32_t except) {
   const glm::dvec3 n = normal(triangle);
   const glm::dvec3 middle = (triangle.position[0] + triangle.position[1] + triangle.position[2]) / 3.0;
+  const double reach = 2 * contactTolerance(scene);
+  const auto above = [&](const glm::dvec3& point) { return point + contactTolerance(scene) * n; };
   const auto isCoveredAt = [&](const glm::dvec3& point) {
-    const auto hit = rays.firstHit(point + contactTolerance(scene) * n, -n);
-    return hit && !hit->isFront && hit->distance <= 2 * contactTolerance(scene);
+    const auto hit = rays.firstHit(above(point), -n, reach);
+    return hit && !hit->isFront;
   };
-  return isCoveredAt(middle) &&
+  return rays.meetsBack(above(middle), -n, reach, 0, except) && isCoveredAt(middle) &&
          std::all_of(triangle.position.begin(), triangle.position.end(),
                      [&](const glm::dvec3& p) { return isCoveredAt(glm::mix(p, middle, 0.02)); });
+}
+
+/// Whether the normals of a surface differ by less than a right angle, so that no back of it lies on it.
+bool facesOneWay(const Surface& surface) {
+  constexpr double cosine = 0.71;  // of less than half a right angle
+  return std::all_of(surface.triangles.begin(), surface.triangles.end(), [&](const Triangle& triangle) {
+    return glm::dot(normal(triangle), normal(surface.triangles.front())) > cosine;
+  });
 }
 
 /// The triangles that lie under the back of another face, as the bottom of a box under that of a floor. An item buffer
@@ -51,8 +63,10 @@ bool isCovered(const Scene& scene, const RayTree& rays, const Triangle& triangle
 std::vector<std::uint32_t> coveredTriangles(const Scene& scene, const RayTree& rays) {
   std::vector<std::vector<bool>> areCovered(scene.surfaces.size());
   raster::parallelFor(scene.surfaces.size(), [&](std::size_t s) {
-    for (const Triangle& triangle : scene.surfaces[s].triangles)
-      areCovered[s].push_back(isCovered(scene, rays, triangle));
+    const Surface& surface = scene.surfaces[s];
+    const std::uint32_t except = facesOneWay(surface) ? static_cast<std::uint32_t>(s) : RayTree::noSurface;
+    for (const Triangle& triangle : surface.triangles)
+      areCovered[s].push_back(isCovered(scene, rays, triangle, except));
   });
   std::vector<std::uint32_t> covered;
   std::uint32_t number = 0;
@@ -148,7 +162,8 @@ class CentreLight {
       double cosines = 0;
       for (const glm::dvec3& direction : light.directions) {
         const double cosine = glm::dot(point.normal, direction);
-        if (cosine > 0 && !rays_.firstHit(start, direction)) cosines += cosine;
+        if (cosine > 0 && !rays_.isBlocked(start, direction, std::numeric_limits<double>::infinity()))
+          cosines += cosine;
       }
       addTo(sum, light.irradiance, cosines);
     }

@@ -182,11 +182,17 @@ void RayTree::walk(double end, const Entry& entryOf, const Visit& visit) const {
 }
 
 template <typename Meet>
-void RayTree::trace(const glm::dvec3& origin, const glm::dvec3& direction, double end, const Meet& meet) const {
+void RayTree::trace(const glm::dvec3& origin, const glm::dvec3& direction, double end, const Meet& meet,
+                    std::uint32_t except) const {
   const BoxRay ray(origin, inverseOf(direction));
   walk(
-      end, [&](const Node& node, double last) { return ray.entry(node.corners, last); },
+      end,
+      [&](const Node& node, double last) {
+        const bool isLeftOut = except != noSurface && node.surface == except;
+        return isLeftOut ? std::numeric_limits<double>::infinity() : ray.entry(node.corners, last);
+      },
       [&](const Leaf& leaf, double& last) {
+        if (except != noSurface && leaf.firstSurface() == except) return;
         // Moeller and Trumbore 1997.
         const glm::dvec3 p = glm::cross(direction, leaf.along2), offset = origin - leaf.corner;
         const double determinant = glm::dot(leaf.along1, p);
@@ -208,26 +214,26 @@ void RayTree::trace(const glm::dvec3& origin, const glm::dvec3& direction, doubl
       });
 }
 
-std::optional<TriangleHit> RayTree::firstHit(const glm::dvec3& origin, const glm::dvec3& direction) const {
+std::optional<TriangleHit> RayTree::firstHit(const glm::dvec3& origin, const glm::dvec3& direction,
+                                             double distance) const {
   std::optional<TriangleHit> front, back;
   double reach = 0;  // how far the ray goes beyond the front until the touching distance from its plane
-  trace(origin, direction, std::numeric_limits<double>::infinity(),
-        [&](const TriangleHit& hit, const Leaf& leaf, double& end) {
-          if (leaf.isHidden || (!hit.isFront && leaf.isBacked)) return;
-          std::optional<TriangleHit>& nearest = hit.isFront ? front : back;
-          const auto order = [](const TriangleHit& of) {
-            return std::tuple(of.distance, of.instance, of.surface, of.triangle);
-          };
-          if (nearest && order(*nearest) <= order(hit)) return;
-          nearest = hit;
-          if (!hit.isFront) {
-            end = std::min(end, hit.distance);
-            return;
-          }
-          const glm::dvec3 normal = glm::normalize(glm::cross(leaf.along1, leaf.along2));
-          reach = touching_ / std::max(-glm::dot(normal, direction), minCosine * glm::length(direction));
-          end = std::min(end, hit.distance + reach);
-        });
+  trace(origin, direction, distance, [&](const TriangleHit& hit, const Leaf& leaf, double& end) {
+    if (leaf.isHidden || (!hit.isFront && leaf.isBacked)) return;
+    std::optional<TriangleHit>& nearest = hit.isFront ? front : back;
+    const auto order = [](const TriangleHit& of) {
+      return std::tuple(of.distance, of.instance, of.surface, of.triangle);
+    };
+    if (nearest && order(*nearest) <= order(hit)) return;
+    nearest = hit;
+    if (!hit.isFront) {
+      end = std::min(end, hit.distance);
+      return;
+    }
+    const glm::dvec3 normal = glm::normalize(glm::cross(leaf.along1, leaf.along2));
+    reach = touching_ / std::max(-glm::dot(normal, direction), minCosine * glm::length(direction));
+    end = std::min(end, hit.distance + reach);
+  });
   return back && (!front || back->distance <= front->distance + reach) ? back : front;
 }
 
@@ -267,15 +273,17 @@ bool RayTree::isBlocked(const glm::dvec3& origin, const glm::dvec3& direction, d
   return isFound;
 }
 
-bool RayTree::meetsBack(const glm::dvec3& origin, const glm::dvec3& direction, double distance, double cosine) const {
+bool RayTree::meetsBack(const glm::dvec3& origin, const glm::dvec3& direction, double distance, double cosine,
+                        std::uint32_t except) const {
   bool isFound = false;
-  trace(origin, direction, distance, [&](const TriangleHit& hit, const Leaf& leaf, double& end) {
+  const auto meet = [&](const TriangleHit& hit, const Leaf& leaf, double& end) {
     const glm::dvec3 normal = glm::normalize(glm::cross(leaf.along1, leaf.along2));
     if (leaf.isHidden || hit.isFront || leaf.isBacked || glm::dot(normal, direction) < cosine * glm::length(direction))
       return;
     isFound = true;
     end = 0;
-  });
+  };
+  trace(origin, direction, distance, meet, except);
   return isFound;
 }
 

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <functional>
 #include <glm/glm.hpp>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -30,14 +31,18 @@ class RayTree {
   /// Copies all corners. Takes O(n log n) time for n triangles.
   explicit RayTree(const Scene& scene);
 
-  /// The first triangle that a ray meets. If faces are in contact (see contactTolerance), a hit of a back comes first.
-  /// The reason: the front of a face that touches another is invisible. Rays pass through backs that are backed.
-  std::optional<TriangleHit> firstHit(const glm::dvec3& origin, const glm::dvec3& direction) const;
+  /// The first triangle that a ray meets, up to a distance in lengths of its direction. If faces are in contact (see
+  /// contactTolerance), a hit of a back comes first. The reason: the front of a face that touches another is invisible.
+  /// Rays pass through backs that are backed.
+  std::optional<TriangleHit> firstHit(const glm::dvec3& origin, const glm::dvec3& direction,
+                                      double distance = std::numeric_limits<double>::infinity()) const;
   /// Whether a triangle lies on the ray, up to a distance in lengths of its direction; not backs that are backed.
   bool isBlocked(const glm::dvec3& origin, const glm::dvec3& direction, double distance) const;
   /// Whether the ray meets the back of a triangle that faces along it, up to a distance in lengths of its direction.
-  /// "Along" means that the cosine of the angle between the normal and the ray is at least `cosine`.
-  bool meetsBack(const glm::dvec3& origin, const glm::dvec3& direction, double distance, double cosine) const;
+  /// "Along" means that the cosine of the angle between the normal and the ray is at least `cosine`. Triangles of the
+  /// surface `except` in the first instance do not count.
+  bool meetsBack(const glm::dvec3& origin, const glm::dvec3& direction, double distance, double cosine,
+                 std::uint32_t except = noSurface) const;
   /// Calls visit(hit) for all triangles that a ray meets, in any order, also for backs that are backed and for
   /// Scene::covered, which have no surface.
   void visitHits(const glm::dvec3& origin, const glm::dvec3& direction,
@@ -74,9 +79,11 @@ class RayTree {
   /// all inner nodes' are, the smaller first. The callback may reduce `end`.
   template <typename Entry, typename Visit>
   void walk(double end, const Entry& entryOf, const Visit& visit) const;
-  /// Calls meet(hit, leaf, end) for triangles along the ray up to `end`, approximately in order of distance.
+  /// Calls meet(hit, leaf, end) for triangles along the ray up to `end`, approximately in order of distance, without
+  /// those of the surface `except` in the first instance.
   template <typename Meet>
-  void trace(const glm::dvec3& origin, const glm::dvec3& direction, double end, const Meet& meet) const;
+  void trace(const glm::dvec3& origin, const glm::dvec3& direction, double end, const Meet& meet,
+             std::uint32_t except = noSurface) const;
   void build(std::uint32_t begin, std::uint32_t end, int depth);
 
   double touching_;

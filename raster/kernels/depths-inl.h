@@ -99,6 +99,7 @@ Outcome testNarrow(const Candidate& candidate) {
 /// > 2^-32. Quotients are below 2^13, where division rounds by less than that. So no quotient rounds to an integer.
 struct Spans {
   HWY_ALIGN std::int32_t first[maxLanes], end[maxLanes];
+  std::uint32_t covered;  ///< one bit per row with a covered column
 
   Spans(const ScreenTriangle& triangle, const EdgeValues& least, int firstRow) {
     const Double rows = hn::Add(hn::Set(doubles, static_cast<double>(firstRow)), hn::Iota(doubles, 0));
@@ -114,6 +115,7 @@ struct Spans {
       if (edge.a < 0) high = hn::Min(high, hn::Add(hn::Floor(hn::Div(missing, step)), hn::Set(doubles, 1.0)));
       if (edge.a == 0) high = hn::IfThenElse(hn::Gt(missing, hn::Zero(doubles)), low, high);
     }
+    covered = bitsOf(doubles, hn::Lt(low, high));
     hn::Store(hn::DemoteTo(Integers(), low), Integers(), first);
     hn::Store(hn::DemoteTo(Integers(), high), Integers(), end);
   }
@@ -153,20 +155,28 @@ Outcome testWide(const Candidate& candidate) {
   Outcome outcome;
   for (int firstRow = triangle.firstRow; firstRow < triangle.endRow; firstRow += lanes) {
     const Spans spans(triangle, least, firstRow);
-    for (int row = firstRow; row < std::min(firstRow + lanes, triangle.endRow); ++row) {
-      const int first = spans.first[row - firstRow], end = spans.end[row - firstRow];
+    const std::uint32_t inside = (1U << std::min(lanes, triangle.endRow - firstRow)) - 1;
+    for (std::uint32_t left = spans.covered & inside; left != 0; left &= left - 1) {
+      const int i = __builtin_ctz(left);
       if (plane)
-        testSpan(candidate, *plane, row, first, end, outcome);
+        testSpan(candidate, *plane, firstRow + i, spans.first[i], spans.end[i], outcome);
       else
-        testSpan(candidate, row, first, end, outcome);
+        testSpan(candidate, firstRow + i, spans.first[i], spans.end[i], outcome);
     }
   }
   return outcome;
 }
 
+/// Whether most of many rows cover no sample: the area is below a quarter of a pixel per row.
+bool isNeedle(const ScreenTriangle& triangle) {
+  constexpr std::int64_t quarterPixel = 2 * 256 * 256 / 4;  // doubled, in square sub-pixels
+  const int rows = triangle.endRow - triangle.firstRow;
+  return rows > static_cast<int>(maxVertexLanes) && triangle.area < quarterPixel * rows;
+}
+
 bool testDepths(const ScreenTriangle& triangle, std::uint32_t number, DepthBuffer& buffer,
                 UnresolvedPixels& unresolved) {
-  const bool isNarrow = triangle.endColumn - triangle.firstColumn <= maxLanes;
+  const bool isNarrow = triangle.endColumn - triangle.firstColumn <= maxLanes && !isNeedle(triangle);
   const Candidate candidate(triangle, number, buffer);
   const Outcome outcome = isNarrow ? testNarrow(candidate) : testWide(candidate);
   if (!hn::AllFalse(doubles, outcome.unresolved)) listUnresolvedSamples(triangle, number, buffer, unresolved);
