@@ -1,7 +1,7 @@
 /// Path-traced pictures, and how far pictures of hemitex are from them.
-/// `hemitex_traced_picture SCENE.obj TRUTH.exr WIDTH HEIGHT SIDE` traces SIDE x SIDE paths per pixel. The camera is
-/// that of the scene, else of SCENE.view.json beside it. `hemitex_traced_picture PICTURE.png TRUTH.exr EXPOSURE
-/// TWIN.png` writes the truth as a picture with this exposure, and prints the differences.
+/// `hemitex_traced_picture SCENE.obj TRUTH.exr WIDTH HEIGHT SIDE [SEED]` traces SIDE x SIDE paths per pixel. The
+/// camera is that of the scene, else of SCENE.view.json beside it. `hemitex_traced_picture PICTURE.png TRUTH.exr
+/// EXPOSURE TWIN.png` writes the truth as a picture with this exposure, and prints the differences.
 #include <array>
 #include <cstdio>
 #include <filesystem>
@@ -35,8 +35,9 @@ void trace(const std::vector<std::string>& arguments) {
   const radiosity::SceneCamera camera =
       scene.camera ? *scene.camera
                    : cameraIn(std::filesystem::path(arguments[0]).replace_extension(".view.json").string());
+  const auto seed = static_cast<std::uint32_t>(arguments.size() > 5 ? std::stoi(arguments[5]) : 0);
   radiosity::writeExr(arguments[1], tests::tracedPicture(scene, camera, std::stoi(arguments[2]),
-                                                         std::stoi(arguments[3]), std::stoi(arguments[4])));
+                                                         std::stoi(arguments[3]), std::stoi(arguments[4]), seed));
 }
 
 void compare(const std::vector<std::string>& arguments) {
@@ -56,15 +57,15 @@ void compare(const std::vector<std::string>& arguments) {
 int main(int argc, char** argv) {
   try {
     const std::vector<std::string> arguments(argv + 1, argv + argc);
-    if (arguments.size() == 5)
+    if (arguments.size() == 5 || arguments.size() == 6)
       trace(arguments);
     else if (arguments.size() == 4)
       compare(arguments);
     else
-      throw std::invalid_argument("four or five arguments are needed");
+      throw std::invalid_argument("four to six arguments are needed");
   } catch (const std::exception& error) {
     std::cerr << "hemitex_traced_picture: " << error.what()
-              << "\nusage: hemitex_traced_picture SCENE.obj TRUTH.exr WIDTH HEIGHT SIDE"
+              << "\nusage: hemitex_traced_picture SCENE.obj TRUTH.exr WIDTH HEIGHT SIDE [SEED]"
                  "\n       hemitex_traced_picture PICTURE.png TRUTH.exr EXPOSURE TWIN.png\n";
     return 2;
   }

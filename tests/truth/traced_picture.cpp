@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <numeric>
 #include <optional>
@@ -27,8 +28,13 @@ struct Place {
   radiosity::TrianglePlace place;
   std::array<glm::dvec3, 3> corner;
   glm::dvec3 normal, emission;
-  double area, upTo;  ///< `upTo`: cumulative share of the emitted flux
+  double density = 0, upTo = 0;  ///< of the points of lamps: per area here; the share of this and all triangles before
 };
+
+glm::dvec3 crossOf(const std::array<glm::dvec3, 3>& corner) {
+  return glm::cross(corner[1] - corner[0], corner[2] - corner[0]);
+}
+double areaOf(const std::array<glm::dvec3, 3>& corner) { return glm::length(crossOf(corner)) / 2; }
 
 /// Uniform numbers in (0, 1).
 class Random {
@@ -55,19 +61,27 @@ class Random {
 class PathTracer {
  public:
   explicit PathTracer(const radiosity::Scene& scene) : scene_(scene), caster_(scene) {
-    double sum = 0;
+    std::vector<double> fluxOf(scene.materials.size());
     radiosity::forEachPlace(scene, [&](const radiosity::TrianglePlace& place) {
       std::array<glm::dvec3, 3> corner = radiosity::placedCorners(scene, place);
       for (glm::dvec3& c : corner) c = (c - scene.origin) / scene.extent;
-      const glm::dvec3 cross = glm::cross(corner[1] - corner[0], corner[2] - corner[0]);
-      const glm::dvec3 emission =
-          scene.materials[static_cast<std::size_t>(scene.surfaces[place.surface].material)].emission;
-      const double area = glm::length(cross) / 2;
-      sum += area * radiosity::bandSum(emission);
-      places_.push_back({place, corner, cross / (2 * area), emission, area, sum});
+      const auto material = static_cast<std::size_t>(scene.surfaces[place.surface].material);
+      const glm::dvec3& emission = scene.materials[material].emission;
+      places_.push_back({place, corner, glm::normalize(crossOf(corner)), emission});
+      fluxOf[material] += areaOf(corner) * radiosity::bandSum(emission);
     });
+    const double flux = std::accumulate(fluxOf.begin(), fluxOf.end(), 0.0);
+    const auto lamps = std::count_if(fluxOf.begin(), fluxOf.end(), [](double value) { return value > 0; });
+    // Half of the points by flux, and half of them equally for each material, so that small lamps have enough.
+    for (Place& place : places_)
+      if (const double emitted = radiosity::bandSum(place.emission); emitted > 0) {
+        const double ofMaterial = fluxOf[static_cast<std::size_t>(scene.surfaces[place.place.surface].material)];
+        place.density = emitted / 2 * (1 / flux + 1 / (static_cast<double>(lamps) * ofMaterial));
+      }
+    double sum = 0;
+    for (Place& place : places_) place.upTo = sum += areaOf(place.corner) * place.density;
     for (Place& place : places_) place.upTo /= sum;
-    flux_ = sum;
+    hasLamps_ = sum > 0;
   }
 
   /// The radiosity that a ray of the camera meets, with the random numbers of its first front.
@@ -95,56 +109,92 @@ class PathTracer {
     return radiosity::unlitColour(scene_, {place.surface, place.triangle, {1 - x - y, x, y}, place.instance});
   }
 
-  /// Density of the points of a lamp as directions from a point: that of the flux, per steradian.
-  double lampDensity(const Place& lamp, double distanceSquared, double cosine) const {
-    return radiosity::bandSum(lamp.emission) / flux_ * distanceSquared / cosine;
+  struct Vertex {
+    glm::dvec3 position, normal;
+    std::uint32_t triangle;
+    glm::dvec3 reflectance;
+  };
+  Vertex vertexOf(const reference::RayHit& hit) const {
+    return {positionOf(hit), places_[hit.triangle].normal, hit.triangle, reflectance(hit)};
   }
 
-  /// The irradiance from one random point of the lamps, weighted.
-  glm::dvec3 fromLamps(const glm::dvec3& at, const glm::dvec3& normal, std::uint32_t triangle, double choice, double y,
-                       double z) const {
-    if (flux_ == 0) return glm::dvec3(0);
-    const auto lamp = std::lower_bound(places_.begin(), std::prev(places_.end()), choice,
-                                       [](const Place& place, double value) { return place.upTo < value; });
-    const double root = std::sqrt(y);
-    const auto& [a, b, c] = lamp->corner;
-    const glm::dvec3 way = (1 - root) * a + root * (1 - z) * b + root * z * c - at;
+  /// The density of y per area, as the end of a cosine-distributed ray from x; 0 if one does not face the other. It is
+  /// the density of x from y, too.
+  static double density(const Vertex& x, const Vertex& y) {
+    const glm::dvec3 way = y.position - x.position;
     const double square = glm::dot(way, way);
-    const glm::dvec3 direction = way / std::sqrt(square);
-    const double here = glm::dot(direction, normal), there = -glm::dot(direction, lamp->normal);
-    if (!(here > 0 && there > 0)) return glm::dvec3(0);
-    const auto hit = caster_.firstHit({at, direction, triangle});
-    if (!hit || !hit->front || hit->triangle != static_cast<std::uint32_t>(lamp - places_.begin()))
-      return glm::dvec3(0);
-    return lamp->emission * (here / pi / (lampDensity(*lamp, square, there) + here / pi));
+    const double here = glm::dot(way, x.normal), there = -glm::dot(way, y.normal);
+    return here > 0 && there > 0 ? here * there / (pi * square * square) : 0;
+  }
+
+  bool isSeen(const Vertex& x, const Vertex& y) const {
+    const auto hit = caster_.firstHit({x.position, glm::normalize(y.position - x.position), x.triangle});
+    return hit && hit->front && hit->triangle == y.triangle;
+  }
+
+  /// A point of the lamps, of its density per area.
+  Vertex lampPoint(const glm::dvec2& first, double second) const {
+    const auto lamp = std::lower_bound(places_.begin(), std::prev(places_.end()), first.x,
+                                       [](const Place& place, double value) { return place.upTo < value; });
+    const double root = std::sqrt(first.y);
+    const auto& [a, b, c] = lamp->corner;
+    return {(1 - root) * a + root * (1 - second) * b + root * second * c, lamp->normal,
+            static_cast<std::uint32_t>(lamp - places_.begin()), glm::dvec3(0)};
+  }
+
+  std::optional<reference::RayHit> firstFront(const Vertex& from, const glm::dvec2& way) const {
+    const glm::dvec3 axis = std::abs(from.normal.x) < 0.5 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
+    const glm::dvec3 right = glm::normalize(glm::cross(axis, from.normal)), up = glm::cross(from.normal, right);
+    const double radius = std::sqrt(way.x), angle = 2 * pi * way.y, cosine = std::sqrt(1 - way.x);
+    const auto hit = caster_.firstHit(
+        {from.position, radius * std::cos(angle) * right + radius * std::sin(angle) * up + cosine * from.normal,
+         from.triangle});
+    return hit && hit->front ? hit : std::nullopt;
+  }
+
+  /// How much each way counts that finds the ends x, y, z of paths, z on a lamp: by rays from x and from y; z chosen,
+  /// and y by a ray from x; z chosen, and y by a ray from z. The arguments are densities; infinite if x is the eye.
+  struct Ways {
+    double rays, lamp, photon;
+  };
+  static Ways waysOf(double fromX, double fromY, double lamp) {
+    const double photon = lamp * fromY / fromX, sum = fromY + lamp + photon;
+    return {fromY / sum, lamp / sum, photon / sum};
   }
 
   /// The reflected radiosity at a front.
-  glm::dvec3 reflected(reference::RayHit hit, glm::dvec2 lamp, glm::dvec2 way, Random& random) const {
+  glm::dvec3 reflected(const reference::RayHit& hit, glm::dvec2 lampPlace, glm::dvec2 way, Random& random) const {
     glm::dvec3 sum(0), share(1);
-    for (;;) {
-      const glm::dvec3 at = positionOf(hit), normal = places_[hit.triangle].normal;
-      share *= reflectance(hit);
-      const double y = random.next();
-      sum += share * fromLamps(at, normal, hit.triangle, lamp.x, y, lamp.y);
-
-      const glm::dvec3 axis = std::abs(normal.x) < 0.5 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
-      const glm::dvec3 right = glm::normalize(glm::cross(axis, normal)), up = glm::cross(normal, right);
-      const double radius = std::sqrt(way.x), angle = 2 * pi * way.y, cosine = std::sqrt(1 - way.x);
-      const glm::dvec3 direction = radius * std::cos(angle) * right + radius * std::sin(angle) * up + cosine * normal;
-      const auto next = caster_.firstHit({at, direction, hit.triangle});
-      if (!next || !next->front) return sum;
-      const Place& met = places_[next->triangle];
-      if (radiosity::bandSum(met.emission) > 0) {
-        const glm::dvec3 line = positionOf(*next) - at;
-        const double there = std::max(-glm::dot(direction, met.normal), 1e-12);
-        sum += share * met.emission * (cosine / pi / (cosine / pi + lampDensity(met, glm::dot(line, line), there)));
+    if (!hasLamps_) return sum;
+    double fromBefore = std::numeric_limits<double>::infinity();
+    for (Vertex vertex = vertexOf(hit);;) {
+      share *= vertex.reflectance;
+      const Vertex lamp = lampPoint(lampPlace, random.next());
+      if (const double seen = density(vertex, lamp); seen > 0 && isSeen(vertex, lamp)) {
+        const double chosen = places_[lamp.triangle].density;
+        sum += share * places_[lamp.triangle].emission * (seen / chosen * waysOf(fromBefore, seen, chosen).lamp);
       }
+      const Vertex origin = lampPoint(random.pair(), random.next());
+      if (const auto lit = firstFront(origin, random.pair())) {
+        const Vertex between = vertexOf(*lit);
+        if (const double seen = density(vertex, between); seen > 0 && isSeen(vertex, between)) {
+          const double chosen = places_[origin.triangle].density;
+          const double photon = waysOf(seen, density(between, origin), chosen).photon;
+          sum += share * between.reflectance * places_[origin.triangle].emission * (seen / chosen * photon);
+        }
+      }
+      const auto next = firstFront(vertex, way);
+      if (!next) return sum;
+      const Vertex met = vertexOf(*next);
+      const double seen = density(vertex, met);
+      if (const glm::dvec3& emission = places_[met.triangle].emission; radiosity::bandSum(emission) > 0 && seen > 0)
+        sum += share * emission * waysOf(fromBefore, seen, places_[met.triangle].density).rays;
       const double survival = std::min(maxSurvival, std::max({share.r, share.g, share.b}));
-      if (random.next() >= survival) return sum;
+      if (random.next() >= survival || seen == 0) return sum;
       share /= survival;
-      hit = *next;
-      lamp = random.pair();
+      fromBefore = seen;
+      vertex = met;
+      lampPlace = random.pair();
       way = random.pair();
     }
   }
@@ -152,7 +202,7 @@ class PathTracer {
   const radiosity::Scene& scene_;
   reference::RayCaster caster_;
   std::vector<Place> places_;
-  double flux_ = 0;  ///< sum of the bands, in squares of the extent
+  bool hasLamps_ = false;
 };
 
 }  // namespace
