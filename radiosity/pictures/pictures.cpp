@@ -190,7 +190,8 @@ Image drawPicture(const Scene& scene, const Camera& camera, int width, int heigh
       }
     }
   });
-  for (const glm::vec2& shift : {glm::vec2(-0.25F, -0.25F), {0.25F, -0.25F}, {-0.25F, 0.25F}, {0.25F, 0.25F}}) {
+  // No two shifts are in one row or column, so that edges along these have eight levels, not four.
+  for (const glm::vec2& shift : {glm::vec2(-0.125F, -0.375F), {0.375F, -0.125F}, {-0.375F, 0.125F}, {0.125F, 0.375F}}) {
     const TriangleSamples shifted = view.see(camera, 2 * width, 2 * height, skipped, shift);
     forEachRowWithEdges(edges, width, [&](int row, std::span<const std::uint8_t> ofRow) {
       std::vector<std::uint8_t> wanted;

@@ -20,9 +20,10 @@ std::uint32_t elementAt(const Scene& scene, const Discretization& discretization
 /// The linear colour of the visible point of a sample. Several threads call it.
 using ColourOf = std::function<glm::dvec3(const Visible&)>;
 
-/// A picture with 2 x 2 samples per pixel, averaged in linear light; 4 x 4 where the pixel, or it and one beside it,
-/// show several surfaces, a fold of one, or a part of one in front of another. Samples without a
-/// surface have the colour `background`. Throws InputError for sides above 2048 pixels, and as cameraFace.
+/// A picture with 2 x 2 samples per pixel, averaged in linear light; 16 samples in eight rows and eight columns where
+/// the pixel, or it and one beside it, show several surfaces, a fold of one, or a part of one in front of another.
+/// Samples without a surface have the colour `background`. Throws InputError for sides above 2048 pixels, and as
+/// cameraFace.
 Image drawPicture(const Scene& scene, const Camera& camera, int width, int height, const ColourOf& colourOf,
                   const glm::dvec3& background = glm::dvec3(0.0));
 
