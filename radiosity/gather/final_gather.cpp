@@ -278,14 +278,14 @@ Gatherer::Gatherer(const Scene& scene, const Discretization& discretization, con
   const Magnifications finer = finerElements(magnificationsOf(textures));
   if (std::all_of(finer.begin(), finer.end(), [](int m) { return m == 1; })) return;
   std::vector<LitTexels> all = texelsOf(scene, discretization, finer);
-  light(all);
+  light(all, TexelUse::Reflecting);
   finer_ = dividedFiner(finer);
   finerLayout_ = layOut(finer_);
   seen_ = std::make_unique<SeenElements>(scene, finer_, finerLayout_, radiosityOfFiner(all), settings.resolution);
 }
 
-void Gatherer::light(std::vector<LitTexels>& all) {
-  raster::parallelFor(all.size(), [&](std::size_t s) { addDirectLight(direct_, all[s], progress_.isCancelled); });
+void Gatherer::light(std::vector<LitTexels>& all, TexelUse use) {
+  raster::parallelFor(all.size(), [&](std::size_t s) { addDirectLight(direct_, all[s], use, progress_.isCancelled); });
   Interpolation interpolation(*seen_, all, settings_, progress_);
   interpolation.run();
   drawn_ += interpolation.drawn();
@@ -293,10 +293,11 @@ void Gatherer::light(std::vector<LitTexels>& all) {
 }
 
 Bands Gatherer::lightAt(const LitPlace& place) {
+  LitTexels texel{
+      .places = {place}, .direct = BandTable(1, materials_.bands()), .seen = BandTable(1, materials_.bands())};
+  addDirectLight(direct_, texel, TexelUse::Shown, nullptr);
   Bands sum = seen_->irradiance(place).value_or(Bands(materials_.bands()));
-  for (std::size_t source = 0; source < direct_.count(); ++source)
-    if (const double factor = direct_.factor(source, place.point); factor > 0)
-      addTo(sum, direct_.light(source), factor * direct_.visibleShare(source, place));
+  addTo(sum, texel.direct[0]);
   return sum;
 }
 
@@ -324,20 +325,23 @@ std::vector<glm::dvec3> Gatherer::coloursOf(std::uint32_t surface, int magnifica
   return result;
 }
 
-/// How much finer the elements of surfaces become, so that they have as many as the settings ask along the longer side;
-/// not more than there are texels, and 1 for all where that would be too many.
+/// How much finer the elements of surfaces become, so that they have as many as the settings ask along the longer side,
+/// or half as many, and so on, so that there are not too many in all; not more than there are texels.
 Magnifications Gatherer::finerElements(const Magnifications& texels) const {
-  constexpr std::size_t mostElements = std::size_t{1} << 20;
-  Magnifications finer(texels.size(), 1);
-  std::size_t count = 0;
-  for (std::size_t s = 0; s < finer.size(); ++s) {
-    const Grid& grid = discretization_.grids[s];
-    while (isDiscretized(grid) && 2 * finer[s] <= texels[s] &&
-           finer[s] * std::max(grid.columns, grid.rows) < settings_.elements)
-      finer[s] *= 2;
-    count += static_cast<std::size_t>(grid.columns * finer[s]) * static_cast<std::size_t>(grid.rows * finer[s]);
+  constexpr std::size_t mostElements = std::size_t{1} << 18;
+  for (int elements = settings_.elements; elements > 1; elements /= 2) {
+    Magnifications finer(texels.size(), 1);
+    std::size_t count = 0;
+    for (std::size_t s = 0; s < finer.size(); ++s) {
+      const Grid& grid = discretization_.grids[s];
+      while (isDiscretized(grid) && 2 * finer[s] <= texels[s] &&
+             finer[s] * std::max(grid.columns, grid.rows) < elements)
+        finer[s] *= 2;
+      count += static_cast<std::size_t>(grid.columns * finer[s]) * static_cast<std::size_t>(grid.rows * finer[s]);
+    }
+    if (count <= mostElements) return finer;
   }
-  return count <= mostElements ? finer : Magnifications(texels.size(), 1);
+  return Magnifications(texels.size(), 1);
 }
 
 /// Surfaces divided into finer elements; solids bury what they bury in the discretization.
@@ -372,7 +376,7 @@ std::optional<GatheredLight> gather(const Scene& scene, const Discretization& di
   const Magnifications magnifications = magnificationsOf(textures);
   Gatherer gatherer(scene, discretization, layout, textures, solution, settings, progress);
   std::vector<LitTexels> all = texelsOf(scene, discretization, magnifications);
-  gatherer.light(all);
+  gatherer.light(all, TexelUse::Shown);
   if (progress.isStopping()) return std::nullopt;
   GatheredLight result{.irradiance = std::vector<std::vector<glm::dvec3>>(all.size()),
                        .drawn = gatherer.drawn(),

@@ -75,8 +75,8 @@ class Gatherer {
            const TextureLayout& textures, const Solution& solution, const GatherSettings& settings,
            const GatherProgress& progress);
 
-  /// Adds the light of texels that have places, but no light yet.
-  void light(std::vector<LitTexels>& all);
+  /// Adds the light of texels that have places, but no light yet (see addDirectLight).
+  void light(std::vector<LitTexels>& all, TexelUse use);
   /// All light at a place, in W/m^2. Several threads may call it.
   Bands lightAt(const LitPlace& place);
   /// Light that arrives at an element of a surface, as colours.

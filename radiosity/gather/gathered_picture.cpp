@@ -215,7 +215,7 @@ GatheredPicture gatheredPicture(const Scene& scene, const Discretization& discre
   const Magnifications magnifications = magnificationsOf(textures);
   const CornerNormals normals = smoothNormals(scene);
   for (const std::uint32_t s : curved) all.push_back(texelsOf(scene, discretization, normals, s, magnifications[s]));
-  gatherer.light(all);
+  gatherer.light(all, TexelUse::Shown);
   std::vector<CurvedLight> curvedLight(scene.surfaces.size());
   for (std::size_t k = 0; k < curved.size(); ++k)
     curvedLight[curved[k]] = {all[k + 1].columns, all[k + 1].rows,

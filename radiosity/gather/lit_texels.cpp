@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <string_view>
 #include <tuple>
@@ -63,15 +64,38 @@ void smooth(const Surface& surface, const std::vector<std::array<glm::dvec3, 3>>
   }
 }
 
-/// A source is weak at texels where it raises the light of the sources before it by no more than this share.
-constexpr double weakLight = 0.02;
+/// A source is weak at texels where it raises the light of the sources before it by no more than the first share, and
+/// faint where by no more than the second one.
+struct SmallShares {
+  double weak, faint;
+};
+constexpr SmallShares ofPictures{0.02, 0.002}, ofElements{std::numeric_limits<double>::infinity(), 0.02};
+
+/// Sources by the light that they would add at some texels if nothing were in between, the most first: then few are not
+/// weak.
+std::vector<std::size_t> sourcesByLight(const DirectLight& direct, const LitTexels& texels) {
+  constexpr std::size_t texelsPerSample = 61;
+  std::vector<std::pair<double, std::size_t>> order;
+  for (std::size_t source = 0; source < direct.count(); ++source) {
+    double light = 0;
+    for (std::size_t texel = 0; texel < texels.places.size(); texel += texelsPerSample)
+      if (texels.places[texel]) light += direct.factor(source, texels.places[texel]->point);
+    order.emplace_back(-light * bandSum(direct.light(source)), source);
+  }
+  std::sort(order.begin(), order.end());
+  std::vector<std::size_t> sources;
+  for (const auto& [light, source] : order) sources.push_back(source);
+  return sources;
+}
 
 /// The light of one source at the texels of a surface.
 class SourceTexels {
  public:
-  SourceTexels(const DirectLight& direct, std::size_t source, LitTexels& texels, const std::atomic<bool>* isCancelled)
+  SourceTexels(const DirectLight& direct, std::size_t source, const SmallShares& small, LitTexels& texels,
+               const std::atomic<bool>* isCancelled)
       : direct_(direct),
         source_(source),
+        small_(small),
         texels_(texels),
         isCancelled_(isCancelled),
         factors_(texels.places.size()),
@@ -93,12 +117,16 @@ class SourceTexels {
   static constexpr float behind = -1;  ///< the share of a source behind the horizon
   static constexpr int block = 8;      ///< texels along the side
 
-  bool isWeakAt(std::size_t texel) const {
-    return factors_[texel] * bandSum(direct_.light(source_)) <= weakLight * bandSum(texels_.direct[texel]);
+  /// Whether the source raises the light of the sources before it by no more than a share.
+  bool isBelow(double share, std::size_t texel) const {
+    return factors_[texel] * bandSum(direct_.light(source_)) <= share * bandSum(texels_.direct[texel]);
+  }
+  bool areBelow(double share, const std::vector<std::size_t>& texels) const {
+    return std::all_of(texels.begin(), texels.end(), [&](std::size_t texel) { return isBelow(share, texel); });
   }
 
   /// Where the source is weak, the corners and the middle of a block stand for all of it if they see all of the source,
-  /// or all see nothing.
+  /// or all see nothing. Where it is faint, their mean does.
   void probeBlock(int left, int low) {
     const int right = std::min(left + block, texels_.columns) - 1, top = std::min(low + block, texels_.rows) - 1;
     std::vector<std::size_t> lit;
@@ -108,21 +136,30 @@ class SourceTexels {
         if (texels_.places[texel]) factors_[texel] = direct_.factor(source_, texels_.places[texel]->point);
         if (factors_[texel] > 0) lit.push_back(texel);
       }
-    bool isEven = std::all_of(lit.begin(), lit.end(), [this](std::size_t texel) { return isWeakAt(texel); });
-    if (isEven) {
-      std::optional<float> common;
-      for (const std::size_t texel : {texels_.at(left, low), texels_.at(right, low), texels_.at(left, top),
-                                      texels_.at(right, top), texels_.at((left + right) / 2, (low + top) / 2)})
-        if (const float share = probe(texel); share != behind) {
-          isEven = isEven && (share == 0 || share == 1) && share == common.value_or(share);
-          common = share;
-        }
-      isEven = isEven && common;
-      if (isEven)
-        for (const std::size_t texel : lit) shares_[texel] = *common;
+    if (lit.empty()) return;
+    const std::optional<float> common =
+        areBelow(small_.weak, lit) ? shareOfBlock(left, low, right, top, lit) : std::nullopt;
+    for (const std::size_t texel : lit) {
+      if (common)
+        shares_[texel] = *common;
+      else
+        probe(texel);
     }
-    if (!isEven)
-      for (const std::size_t texel : lit) probe(texel);
+  }
+
+  /// The share that stands for all texels of a block at which the source is weak; none if they must be looked at.
+  std::optional<float> shareOfBlock(int left, int low, int right, int top, const std::vector<std::size_t>& lit) {
+    float sum = 0;
+    int count = 0;
+    for (const std::size_t texel : {texels_.at(left, low), texels_.at(right, low), texels_.at(left, top),
+                                    texels_.at(right, top), texels_.at((left + right) / 2, (low + top) / 2)})
+      if (const float share = probe(texel); share != behind) {
+        sum += share;
+        ++count;
+      }
+    if (count == 0) return std::nullopt;
+    const float mean = sum / static_cast<float>(count);
+    return mean == 0 || mean == 1 || areBelow(small_.faint, lit) ? std::optional(mean) : std::nullopt;
   }
 
   float probe(std::size_t texel) {
@@ -145,14 +182,15 @@ class SourceTexels {
     constexpr std::uint32_t fewRays = DirectLight::maxRays / 8;
     const std::size_t texel = texels_.at(column, row);
     if (shares_[texel] == behind) return;
-    const double share = isUneven(column, row) ? direct_.visibleShare(source_, *texels_.places[texel],
-                                                                      isWeakAt(texel) ? fewRays : DirectLight::maxRays)
-                                               : double{shares_[texel]};
+    const bool isCast = !isBelow(small_.faint, texel) && isUneven(column, row);
+    const std::uint32_t rays = isBelow(small_.weak, texel) ? fewRays : DirectLight::maxRays;
+    const double share = isCast ? direct_.visibleShare(source_, *texels_.places[texel], rays) : double{shares_[texel]};
     addTo(texels_.direct[texel], direct_.light(source_), factors_[texel] * share);
   }
 
   const DirectLight& direct_;
   std::size_t source_;
+  SmallShares small_;
   LitTexels& texels_;
   const std::atomic<bool>* isCancelled_;
   std::vector<double> factors_;
@@ -171,9 +209,10 @@ std::vector<LitTexels> texelsOf(const Scene& scene, const Discretization& discre
   return all;
 }
 
-void addDirectLight(const DirectLight& direct, LitTexels& texels, const std::atomic<bool>* isCancelled) {
-  for (std::size_t source = 0; source < direct.count(); ++source)
-    SourceTexels(direct, source, texels, isCancelled).add();
+void addDirectLight(const DirectLight& direct, LitTexels& texels, TexelUse use, const std::atomic<bool>* isCancelled) {
+  const SmallShares& small = use == TexelUse::Shown ? ofPictures : ofElements;
+  for (const std::size_t source : sourcesByLight(direct, texels))
+    SourceTexels(direct, source, small, texels, isCancelled).add();
 }
 
 CornerNormals smoothNormals(const Scene& scene) {

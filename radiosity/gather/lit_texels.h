@@ -3,7 +3,7 @@
 /// Direct light is the sum over sources of a closed form times a visible share (direct_light.h). Few rays tell whether
 /// a texel sees a part of a source. There, and beside texels that see another part of it, the share is measured by many
 /// rays. Sources that add little to the others have fewer: an eighth, and none inside blocks of 8 x 8 texels whose
-/// corners and middle see all of the source, or nothing.
+/// corners and middle see all of the source, or nothing. Sources that add next to nothing have the mean of these.
 #pragma once
 
 #include <array>
@@ -46,9 +46,12 @@ using Magnifications = std::vector<int>;
 std::vector<LitTexels> texelsOf(const Scene& scene, const Discretization& discretization,
                                 const Magnifications& magnifications);
 
-/// Adds the direct light of all sources. The same bits for any number of threads. The light is incomplete if
-/// `isCancelled`, which may be null, becomes true.
-void addDirectLight(const DirectLight& direct, LitTexels& texels, const std::atomic<bool>* isCancelled);
+/// What light of texels is for: a picture of them, or light that reaches others, in which errors of texels cancel.
+enum class TexelUse { Shown, Reflecting };
+
+/// Adds the direct light of all sources, with fewer rays at texels that only reflect it. The same bits for any number
+/// of threads. The light is incomplete if `isCancelled`, which may be null, becomes true.
+void addDirectLight(const DirectLight& direct, LitTexels& texels, TexelUse use, const std::atomic<bool>* isCancelled);
 
 /// The unit normals at the corners of the triangles of each curved surface; others have none. A vertex has one normal
 /// in all charts of its part, so that light agrees where charts meet: the mean of its triangles by the cross product of
