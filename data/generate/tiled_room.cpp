@@ -7,17 +7,17 @@ namespace hemitex::data {
 namespace {
 
 /// A side of the room. `right` x `up` points into the room; both have the length of a tile.
-struct Side {
+struct TiledSide {
   std::string name;
   glm::dvec3 corner, right, up;
   int columns = 0, rows = 0;
 };
 
-bool isLight(const Side& side, int column, int row) {
+bool isLight(const TiledSide& side, int column, int row) {
   return side.name == "ceiling" && column % 10 == 2 && row % 10 == 2;
 }
 
-void addTiles(const Side& side, Model& model) {
+void addTiles(const TiledSide& side, Model& model) {
   const auto at = [&side](int column, int row) {
     return side.corner + double(column) * side.right + double(row) * side.up;
   };
@@ -43,10 +43,11 @@ Model tiledRoom(int tiles) {
   const int wide = 2 * tiles;
   const double width = wide, height = tiles;
   const glm::dvec3 x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
-  for (const Side& side :
-       {Side{"floor", {0, 0, 0}, z, x, wide, wide}, Side{"ceiling", {0, height, 0}, x, z, wide, wide},
-        Side{"wall-back", {0, 0, 0}, x, y, wide, tiles}, Side{"wall-front", {0, 0, width}, y, x, tiles, wide},
-        Side{"wall-left", {0, 0, 0}, y, z, tiles, wide}, Side{"wall-right", {width, 0, 0}, z, y, wide, tiles}})
+  for (const TiledSide& side :
+       {TiledSide{"floor", {0, 0, 0}, z, x, wide, wide}, TiledSide{"ceiling", {0, height, 0}, x, z, wide, wide},
+        TiledSide{"wall-back", {0, 0, 0}, x, y, wide, tiles}, TiledSide{"wall-front", {0, 0, width}, y, x, tiles, wide},
+        TiledSide{"wall-left", {0, 0, 0}, y, z, tiles, wide},
+        TiledSide{"wall-right", {width, 0, 0}, z, y, wide, tiles}})
     addTiles(side, model);
   model.view = {{width / 16, height / 2, width / 16}, {width, height / 4, width}, y, 60};
   return model;
