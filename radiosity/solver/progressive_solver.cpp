@@ -85,7 +85,8 @@ Solution shoot(const SolveInput& input, ShootingState& state, RowCache& rows, Ba
   solution.residual = state.residual();
   bool isSeenDark = true;
   const auto lookAtSeen = [&] {
-    isSeenDark = isSeenDark && state.seenShare() < darkShare * solution.residual;
+    if (!isSeenDark) return;
+    isSeenDark = state.seenShare() < darkShare * solution.residual;
     if (!isSeenDark && !countsSeen) state.setSeen({});
   };
   lookAtSeen();

@@ -323,7 +323,8 @@ double ShootingState::seenResidual() const {
 }
 
 double ShootingState::seenShare() const {
-  if (std::find(seen_.begin(), seen_.end(), true) == seen_.end() || light_.lastEmitted == 0) return 1;
+  if (std::find(seen_.begin(), seen_.end(), true) == seen_.end()) return std::numeric_limits<double>::infinity();
+  if (light_.lastEmitted == 0) return 0;
   return static_cast<double>(seenUnits_) / unitsPerFlux_ / light_.lastEmitted;
 }
 

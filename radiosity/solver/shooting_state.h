@@ -108,8 +108,8 @@ class ShootingState {
   /// As residual, of the seen surfaces alone: the absolute unshot flux of their patches over the flux that they have
   /// absorbed. 0 if none is seen, infinite if they have absorbed nothing.
   double seenResidual() const;
-  /// The flux that the seen surfaces have absorbed, over the flux that is the reference of the residual; 1 if none is
-  /// seen.
+  /// The flux that the seen surfaces have absorbed, over the flux that is the reference of the residual. Infinite if
+  /// none is seen, 0 if nothing is emitted.
   double seenShare() const;
   /// The share of the flux absorbed by seen surfaces that the patch would add directly if it shot along `row`; bands
   /// summed. Visits the elements of the row.

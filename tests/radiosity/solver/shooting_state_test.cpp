@@ -86,12 +86,14 @@ TEST_CASE("ShootingState: seenResidual of all surfaces is the residual, and seen
     state.setSeen(none);
     CHECK(state.seenGain(patch, row) == 0);
     CHECK(state.seenResidual() == 0);
+    CHECK(std::isinf(state.seenShare()));
     state.setSeen(all);
     const double gain = state.seenGain(patch, row);
     state.shoot(patch, row);
     const Energy energy = state.energy();
     const double absorbed = bandSum(energy.absorbed);
     CHECK(gain == Approx((absorbed - before) / absorbed).epsilon(1e-10));
+    CHECK(state.seenShare() == Approx(absorbed / bandSum(energy.emitted)).epsilon(1e-10));
     const double residual = state.seenResidual();
     CHECK(residual == Approx(state.residual() * bandSum(energy.emitted) / absorbed).epsilon(1e-10));
     // What follows the shots has the bits of a sum over all elements.
