@@ -325,8 +325,8 @@ std::vector<glm::dvec3> Gatherer::coloursOf(std::uint32_t surface, int magnifica
   return result;
 }
 
-/// How much finer the elements of surfaces become, so that they have as many as the settings ask along the longer side,
-/// or half as many, and so on, so that there are not too many in all; not more than there are texels.
+/// How much finer the elements of surfaces become: as many as the settings ask along the longer side, but not more than
+/// there are texels. While all surfaces together would have more than mostElements, half as many are asked.
 Magnifications Gatherer::finerElements(const Magnifications& texels) const {
   constexpr std::size_t mostElements = std::size_t{1} << 18;
   for (int elements = settings_.elements; elements > 1; elements /= 2) {

@@ -1,6 +1,5 @@
+/// Names in small letters, by which files and words are compared. Letters outside ASCII stay, whatever the locale is.
 #pragma once
-
-// Names in small letters, by which files and words are compared. Letters outside ASCII stay, whatever the locale is.
 
 #include <filesystem>
 #include <string>

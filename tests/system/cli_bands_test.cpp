@@ -9,6 +9,7 @@
 
 #include "radiosity/images/image.h"
 #include "tests/support/shell.h"
+#include "tests/support/solved_elements.h"
 
 using namespace hemitex::tests;
 using nlohmann::json;
@@ -25,28 +26,6 @@ const std::string rgbOfBox = R"({"wavelengths": [450, 550, 650],
   "red": {"reflectance": [0.0117, 0.0359, 0.4507]},
   "green": {"reflectance": [0.0235, 0.3831, 0.1184]},
   "light": {"reflectance": 0.78, "emission": [2.7716, 10.8612, 20.7307]}}})";
-
-std::vector<std::string> fieldsOf(const std::string& line) {
-  std::vector<std::string> fields(1);
-  for (const char c : line)
-    if (c == ',')
-      fields.emplace_back();
-    else
-      fields.back() += c;
-  return fields;
-}
-
-/// The fields of a column of a solved folder's elements.csv, in its order.
-std::vector<std::string> columnOf(const Shell& shell, const std::string& folder, const std::string& name) {
-  const std::vector<std::string> lines = linesOf(readAll(shell.file(folder + "/elements.csv")));
-  const std::vector<std::string> names = fieldsOf(lines.front());
-  const auto at = std::find(names.begin(), names.end(), name);
-  REQUIRE(at != names.end());
-  std::vector<std::string> fields;
-  for (std::size_t i = 1; i < lines.size(); ++i)
-    fields.push_back(fieldsOf(lines[i])[static_cast<std::size_t>(at - names.begin())]);
-  return fields;
-}
 
 json solutionOf(const Shell& shell, const std::string& folder) {
   return json::parse(readAll(shell.file(folder + "/solution.json")));

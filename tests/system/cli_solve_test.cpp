@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "tests/support/shell.h"
+#include "tests/support/solved_elements.h"
 
 using namespace hemitex::tests;
 namespace fs = std::filesystem;
@@ -602,16 +603,13 @@ TEST_CASE("hemitex solve gives the last of five rooms its light, with the lamp i
   constexpr double truth = 0.000141699;
   const Shell shell;
   shell.output("solve " HEMITEX_SOURCE "/tests/truth/scenes/chain.obj --no-textures --size 40x30 -o lit");
+  const auto column = [&](const std::string& name) { return columnOf(shell, "lit", name); };
+  const std::vector<std::string> surface = column("surface"), area = column("area");
   double flux = 0;
-  for (const std::string& line : linesOf(readAll(shell.file("lit/elements.csv")))) {
-    std::vector<std::string> cells(1);
-    for (const char c : line)
-      if (c == ',')
-        cells.emplace_back();
-      else
-        cells.back() += c;
-    if (cells.size() > 12 && cells[0].starts_with("floor4"))
-      flux += std::stod(cells[9]) * (std::stod(cells[10]) + std::stod(cells[11]) + std::stod(cells[12]));
+  for (const char* band : {"b_r", "b_g", "b_b"}) {
+    const std::vector<std::string> radiosity = column(band);
+    for (std::size_t e = 0; e < surface.size(); ++e)
+      if (surface[e].starts_with("floor4")) flux += std::stod(area[e]) * std::stod(radiosity[e]);
   }
   CHECK(std::abs(flux / truth - 1) < 0.03);
 }
