@@ -30,9 +30,9 @@ result_hash() {
 }
 # Waits until a command succeeds, for a minute.
 until_true() {
-  for ((look = 0; look < 1200; ++look)); do
+  for ((look = 0; look < 6000; ++look)); do
     "$@" && return
-    sleep 0.05
+    sleep 0.01
   done
   fail "waited in vain for $*"
 }
@@ -78,9 +78,10 @@ wait "$run" || fail "formfactors with a slow rank"
 cmp fast.csv slow.csv || fail "formfactors with a slow rank has other bytes"
 
 # A matrix whose run was killed goes on with other ranks. A damaged last row is dropped, rows of other settings and a
-# second run are refused.
+# second run are refused. The first run pauses meanwhile: else it may end before the second one starts.
 start 1 "${large[@]}" -o killed.csv
 until_true lines killed.csv.part 3
+kill -STOP "$run"
 "$program" "${large[@]}" -o killed.csv 2>message
 [ $? = 2 ] && grep -q 'is in use' message || fail "a second run into one file"
 kill -KILL "$run" && wait "$run" 2>/dev/null
