@@ -39,6 +39,9 @@ class Shell {
   TemporaryFolder folder_, streams_;
 };
 
+/// How a line of `sh` starts hemitex.
+inline const std::string program = "'" HEMITEX_PROGRAM "' ";
+
 /// A solve command of the scene; the output folder is missing.
 inline const std::string quickSolve = "solve room.obj --texels 4 --patch 2 --resolution 32 --size 40x30 ";
 

@@ -29,7 +29,7 @@ std::string committed(const std::string& section) {
   return page.substr(begin, end == std::string::npos ? end : end + 1 - begin);
 }
 
-void checkPage(const std::string& section) {
+void checkSection(const std::string& section) {
   INFO("write the page again: build/release/bin/hemitex_accuracy docs/accuracy.md");
   CHECK(committed(section) == section);
 }
@@ -56,7 +56,7 @@ std::vector<FormFactorAnswers> checked(const FormFactorTheme& theme) {
     CHECK(agrees(answer.one));
     CHECK(agrees(answer.many));
   }
-  checkPage(section(theme, answers));
+  checkSection(section(theme, answers));
   return answers;
 }
 
@@ -126,7 +126,7 @@ TEST_CASE("findingsOf furnaces with reflectances up to 0.9999 conserve flux", "[
     CHECK(findings.back().accountError <= 1e-12);
     CHECK_FALSE(findings.back().grew);
   }
-  checkPage(section(furnaces(), findings));
+  checkSection(section(furnaces(), findings));
 }
 
 TEST_CASE("findingsOf emissions from 1e-30 to 1e30 are linear", "[accuracy]") {
@@ -138,7 +138,7 @@ TEST_CASE("findingsOf emissions from 1e-30 to 1e30 are linear", "[accuracy]") {
     CHECK(findings.back().linearityError <= 1000 * 0x1p-53);
     CHECK(findings.back().accountError <= 1e-12);
   }
-  checkPage(section(emissions(), findings));
+  checkSection(section(emissions(), findings));
 }
 
 TEST_CASE("ofOneSurface finds that all light leaves the scene", "[accuracy]") {
@@ -146,7 +146,7 @@ TEST_CASE("ofOneSurface finds that all light leaves the scene", "[accuracy]") {
   CHECK(findings.backgroundOfHemicube == 1);
   CHECK(findings.backgroundOfRays == 1);
   CHECK(findings.lost == 1);
-  checkPage(section(findings));
+  checkSection(section(findings));
 }
 
 TEST_CASE("ofAMillionSurfaces finds the light of one undivided surface", "[.million]") {
@@ -155,7 +155,7 @@ TEST_CASE("ofAMillionSurfaces finds the light of one undivided surface", "[.mill
   CHECK(findings.isWhole);
   CHECK(findings.hemicubeError <= findings.aliasing);
   CHECK(findings.hemisphereError <= 4 * findings.standardError);
-  checkPage(section(findings));
+  checkSection(section(findings));
 }
 
 TEST_CASE("idCases fill all item IDs for index maps of 1 to 31 bits", "[accuracy]") {
@@ -166,7 +166,7 @@ TEST_CASE("idCases fill all item IDs for index maps of 1 to 31 bits", "[accuracy
     CHECK(isOneToOne(example));
     CHECK_FALSE(example.refusal.empty());
   }
-  checkPage(section(cases));
+  checkSection(section(cases));
 }
 
 TEST_CASE("SoftwareRenderer draws item IDs of 1 to 31 index bits as layOut assigns them", "[accuracy]") {
@@ -197,7 +197,7 @@ TEST_CASE("limitCases give the messages of docs/accuracy.md", "[accuracy]") {
     INFO(example.name);
     CHECK_FALSE(example.message.empty());
   }
-  checkPage(section(limitCases()));
+  checkSection(section(limitCases()));
 }
 
 TEST_CASE("docs/accuracy.md has the introduction and all sections in order", "[accuracy]") {
@@ -207,6 +207,6 @@ TEST_CASE("docs/accuracy.md has the introduction and all sections in order", "[a
     if (line.starts_with("## ")) headlines += line + "\n";
   for (const Section& section : sections()) expected += headline(section.title);
   CHECK(headlines == expected);
-  checkPage(errorBoundSection());
+  checkSection(errorBoundSection());
   CHECK(committedPage().starts_with(introduction() + headline(sections().front().title)));
 }

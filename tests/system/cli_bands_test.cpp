@@ -9,7 +9,7 @@
 
 #include "radiosity/images/image.h"
 #include "tests/support/shell.h"
-#include "tests/support/solved_elements.h"
+#include "tests/support/solved_folder.h"
 
 using namespace hemitex::tests;
 using nlohmann::json;
@@ -26,10 +26,6 @@ const std::string rgbOfBox = R"({"wavelengths": [450, 550, 650],
   "red": {"reflectance": [0.0117, 0.0359, 0.4507]},
   "green": {"reflectance": [0.0235, 0.3831, 0.1184]},
   "light": {"reflectance": 0.78, "emission": [2.7716, 10.8612, 20.7307]}}})";
-
-json solutionOf(const Shell& shell, const std::string& folder) {
-  return json::parse(readAll(shell.file(folder + "/solution.json")));
-}
 
 }  // namespace
 

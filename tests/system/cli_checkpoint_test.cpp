@@ -14,8 +14,6 @@ using nlohmann::json;
 
 namespace {
 
-const std::string program = "'" HEMITEX_PROGRAM "' ";
-
 /// A solution of about a second, by plain shots, by growing effort or with smaller elements.
 const std::string plain = "solve room.obj --texels 16 --patch 2 --resolution 128 --residual 1e-4 --size 40x30 ";
 const std::string bounded = "solve room.obj --texels 8 --patch 4 --max-error 0.002 --size 40x30 ";

@@ -11,6 +11,7 @@
 #include "reference/matrices/matrix_files.h"
 #include "reference/truth/solution/direct_solution.h"
 #include "tests/support/shell.h"
+#include "tests/support/solved_folder.h"
 
 using namespace hemitex;
 using namespace hemitex::tests;
@@ -18,7 +19,7 @@ using nlohmann::json;
 
 namespace {
 
-const std::string box = HEMITEX_DATA "/cornell-box.obj";
+const std::string cornellBox = HEMITEX_DATA "/cornell-box.obj";
 
 /// The values of an array of a VTU file.
 std::vector<double> cellData(const Shell& shell, const std::string& name, const std::string& array) {
@@ -73,22 +74,22 @@ double differenceFromDense(const Shell& shell, const std::string& folder, const 
 
 TEST_CASE("hemitex solve --matrix gives the dense solution of the matrix", "[cli]") {
   const Shell shell;
-  shell.output("formfactors " + box + " --all --facets --max-error 0.01 -o F.npz");
-  shell.output("solve " + box + " --matrix F.npz --residual 1e-9 --size 40x30 --no-textures -o lit");
+  shell.output("formfactors " + cornellBox + " --all --facets --max-error 0.01 -o F.npz");
+  shell.output("solve " + cornellBox + " --matrix F.npz --residual 1e-9 --size 40x30 --no-textures -o lit");
   CHECK(differenceFromDense(shell, "lit", "F.npz", false) < 1e-8);
   CHECK(differenceFromDense(shell, "lit", "F.npz", true) < 0.01);  // of the reciprocity of the rows
 
   // A matrix of another format is the same.
-  shell.output("formfactors " + box + " --all --facets --max-error 0.01 -o F.csv");
-  shell.output("solve " + box + " --matrix F.csv --residual 1e-9 --size 40x30 --no-textures -o other");
+  shell.output("formfactors " + cornellBox + " --all --facets --max-error 0.01 -o F.csv");
+  shell.output("solve " + cornellBox + " --matrix F.csv --residual 1e-9 --size 40x30 --no-textures -o other");
   CHECK(readAll(shell.file("lit/scene.vtu")) == readAll(shell.file("other/scene.vtu")));
 }
 
 TEST_CASE("hemitex solve --facets --max-error shoots along the rows of formfactors --max-error", "[cli]") {
   const Shell shell;
-  shell.output("formfactors " + box + " --all --facets --max-error 0.02 -o F.npz --vtu F.vtu");
-  shell.output("solve " + box + " --facets --max-error 0.02 --size 40x30 --no-textures -o lit");
-  const json solution = json::parse(readAll(shell.file("lit/solution.json")));
+  shell.output("formfactors " + cornellBox + " --all --facets --max-error 0.02 -o F.npz --vtu F.vtu");
+  shell.output("solve " + cornellBox + " --facets --max-error 0.02 --size 40x30 --no-textures -o lit");
+  const json solution = solutionOf(shell, "lit");
   CHECK(solution["elements"] == 19);
   CHECK(differenceFromDense(shell, "lit", "F.npz", false) < 2 * solution["residual"].get<double>());
   CHECK(solution["row_error"] <= 0.02);
@@ -97,23 +98,23 @@ TEST_CASE("hemitex solve --facets --max-error shoots along the rows of formfacto
                             ofMatrix = cellData(shell, "F.vtu", "error");
   for (std::size_t i = 0; i < 19; ++i) CHECK(ofRows[i] <= ofMatrix[i]);
 
-  shell.output("solve " + box + " --facets --max-error 0.02 --size 40x30 --no-textures -o serial --threads 1");
+  shell.output("solve " + cornellBox + " --facets --max-error 0.02 --size 40x30 --no-textures -o serial --threads 1");
   CHECK(readAll(shell.file("lit/scene.vtu")) == readAll(shell.file("serial/scene.vtu")));
 }
 
 TEST_CASE("hemitex solve makes facets of meshes without materials, with emission from cell data", "[cli]") {
   const Shell shell;
-  shell.output("solve " + box + " --facets --residual 1e-6 --size 40x30 --no-textures -o lit");
+  shell.output("solve " + cornellBox + " --facets --residual 1e-6 --size 40x30 --no-textures -o lit");
   const std::string cells = "--cell-emission emission --cell-reflectance reflectance --residual 1e-6 --size 40x30 ";
   shell.output("solve lit/scene.vtu " + cells + "--no-textures -o again");
   const std::vector<double> once = cellData(shell, "lit/scene.vtu", "radiosity"),
                             again = cellData(shell, "again/scene.vtu", "radiosity");
   REQUIRE(once.size() == 3 * 19);
   for (std::size_t i = 0; i < once.size(); ++i) CHECK(again[i] == Approx(once[i]).epsilon(1e-12));
-  CHECK(json::parse(readAll(shell.file("again/solution.json")))["elements"] == 19);
+  CHECK(solutionOf(shell, "again")["elements"] == 19);
 
   shell.output("solve lit/scene.vtu " + cells + "--texels 4 --no-facets --no-textures -o joined");
-  CHECK(json::parse(readAll(shell.file("joined/solution.json")))["elements"] > 100);
+  CHECK(solutionOf(shell, "joined")["elements"] > 100);
   CHECK_FALSE(exists(shell.file("joined/scene.vtu")));
 }
 
@@ -122,7 +123,7 @@ TEST_CASE("hemitex solve refuses a matrix of another mesh, and options that face
   shell.output("formfactors room.obj --all --facets -o F.npz");
   writeAll(shell.file("one.csv"), "0 1 1\n1 0 0\n0 0 0.5\n");
   for (const std::string& arguments : std::vector<std::string>{
-           box + " --matrix F.npz", "room.obj --matrix missing.npz", "room.obj --facets --no-facets",
+           cornellBox + " --matrix F.npz", "room.obj --matrix missing.npz", "room.obj --facets --no-facets",
            "room.obj --facets --max-error 0.1 --resolution 64",
            "room.obj --facets --max-error 0.1 --orientation aligned",
            "room.obj --facets --max-error 0.1 --pixels-per-element 4", "room.obj --matrix F.npz --resolution 64",
@@ -136,7 +137,7 @@ TEST_CASE("hemitex solve refuses a matrix of another mesh, and options that face
 
 TEST_CASE("hemitex formfactors --vtu writes what the matrix says of each facet", "[cli]") {
   const Shell shell;
-  shell.output("formfactors " + box + " --all --facets --max-error 0.05 -o F.npz --vtu F.vtu --row 3 --row 0");
+  shell.output("formfactors " + cornellBox + " --all --facets --max-error 0.05 -o F.npz --vtu F.vtu --row 3 --row 0");
   const reference::SparseMatrix matrix = reference::readMatrix(shell.file("F.npz")).matrix;
   const reference::FormFactorMatrix dense = denseOf(matrix);
   const std::size_t facets = matrix.rows();
@@ -163,9 +164,9 @@ TEST_CASE("hemitex formfactors --vtu writes what the matrix says of each facet",
 
 TEST_CASE("hemitex matrix compare --vtu writes the differences of its table", "[cli]") {
   const Shell shell;
-  shell.output("formfactors " + box + " --all --facets --max-error 0.01 -o a.npz");
-  shell.output("formfactors " + box + " --all --facets -o b.npz");
-  const json table = json::parse(shell.output("matrix compare a.npz b.npz " + box + " --vtu d.vtu --json"));
+  shell.output("formfactors " + cornellBox + " --all --facets --max-error 0.01 -o a.npz");
+  shell.output("formfactors " + cornellBox + " --all --facets -o b.npz");
+  const json table = json::parse(shell.output("matrix compare a.npz b.npz " + cornellBox + " --vtu d.vtu --json"));
   const std::vector<double> difference = cellData(shell, "d.vtu", "difference");
   REQUIRE(table["facets"].size() == difference.size());
   double sent = 0, received = 0;

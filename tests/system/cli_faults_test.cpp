@@ -10,6 +10,7 @@
 
 #include "radiosity/images/image.h"
 #include "tests/support/shell.h"
+#include "tests/support/solved_folder.h"
 
 using namespace hemitex;
 using namespace hemitex::tests;
@@ -17,8 +18,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const std::string program = "'" HEMITEX_PROGRAM "' ";
-const std::string quick = " --texels 4 --patch 2 --resolution 32 --size 40x30 ";
+const std::string quickly = " --texels 4 --patch 2 --resolution 32 --size 40x30 ";
 
 /// Puts the room into the folder `o`, with a texture whose name is also that of a display texture.
 void makeRoomInOutput(const Shell& shell) {
@@ -54,9 +54,9 @@ TEST_CASE("hemitex refuses an output that is one of its inputs, before it works"
   const Shell shell;
   makeRoomInOutput(shell);
   const auto arguments = GENERATE(
-      as<std::string>{}, "solve o/scene.obj -o o" + quick, "solve o/other.obj -o o" + quick,
-      "solve o/other.obj -o ./o/../o" + quick, "solve room.obj --lights o/elements.csv -o o" + quick,
-      "solve room.obj --edits o/report.html --report -o o" + quick, "render o/other.obj -o o/floor.png --size 40x30");
+      as<std::string>{}, "solve o/scene.obj -o o" + quickly, "solve o/other.obj -o o" + quickly,
+      "solve o/other.obj -o ./o/../o" + quickly, "solve room.obj --lights o/elements.csv -o o" + quickly,
+      "solve room.obj --edits o/report.html --report -o o" + quickly, "render o/other.obj -o o/floor.png --size 40x30");
   const std::string error = faultOf(shell, program + arguments);
   CHECK_THAT(error, Catch::Contains("is read by this run, and its result would replace it"));
 }
@@ -64,7 +64,7 @@ TEST_CASE("hemitex refuses an output that is one of its inputs, before it works"
 TEST_CASE("hemitex solve names a folder that has the name of a file of the result", "[faults]") {
   const Shell shell;
   fs::create_directories(shell.file("o/floor.exr"));
-  CHECK_THAT(faultOf(shell, program + "solve room.obj -o o" + quick),
+  CHECK_THAT(faultOf(shell, program + "solve room.obj -o o" + quickly),
              Catch::Contains("floor.exr: is a folder, but a file of the result has this name"));
 }
 
@@ -77,10 +77,10 @@ TEST_CASE("hemitex --help and --version fail if they cannot be printed", "[fault
 
 TEST_CASE("hemitex solve says that its result is complete if the summary cannot be printed", "[faults]") {
   const Shell shell;
-  const Outcome outcome = shell.execute(program + "solve room.obj -o o" + quick + ">/dev/full");
+  const Outcome outcome = shell.execute(program + "solve room.obj -o o" + quickly + ">/dev/full");
   CHECK(outcome.exitCode == 2);
   CHECK_THAT(outcome.err, Catch::Contains("the result in o is complete"));
-  CHECK(nlohmann::json::parse(readAll(shell.file("o/solution.json"))).contains("shots"));
+  CHECK(tests::solutionOf(shell, "o").contains("shots"));
 }
 
 TEST_CASE("hemitex ends without a message when the reader of its output closes the pipe", "[faults]") {
@@ -95,7 +95,7 @@ TEST_CASE("hemitex ends without a message when the reader of its output closes t
 TEST_CASE("hemitex leaves nothing behind on a full disk", "[faults]") {
   // A limit on the size of files makes write fail as on a full disk: here after 4 KiB.
   const Shell shell;
-  CHECK_THAT(faultOf(shell, "ulimit -f 8; " + program + "solve room.obj -o o" + quick),
+  CHECK_THAT(faultOf(shell, "ulimit -f 8; " + program + "solve room.obj -o o" + quickly),
              Catch::Contains("cannot be written"));
 }
 
@@ -115,7 +115,7 @@ TEST_CASE("hemitex solve says where the light is if its result cannot be written
 TEST_CASE("hemitex names a folder that cannot be written", "[faults]") {
   const Shell shell;
   for (const char* folder : {"/proc/none", "/sys/kernel/none"})
-    CHECK_THAT(faultOf(shell, program + "solve room.obj -o " + folder + quick), Catch::Contains(folder));
+    CHECK_THAT(faultOf(shell, program + "solve room.obj -o " + folder + quickly), Catch::Contains(folder));
 }
 
 TEST_CASE("hemitex names a file that cannot be read to its end", "[faults]") {

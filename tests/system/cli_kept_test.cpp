@@ -18,7 +18,6 @@ using nlohmann::json;
 
 namespace {
 
-const std::string program = "'" HEMITEX_PROGRAM "' ";
 const std::string matrix = "formfactors room.obj --all --facets --texels 8 --resolution 512 --threads 1 -o F.npz";
 
 std::string withHash(const std::string& text) { return text + ' ' + sha256(text) + '\n'; }

@@ -8,6 +8,7 @@
 
 #include "tests/support/base64.h"
 #include "tests/support/shell.h"
+#include "tests/support/solved_folder.h"
 
 using namespace hemitex::tests;
 using nlohmann::json;
@@ -121,7 +122,7 @@ TEST_CASE("hemitex solve says how candela and lux of a glTF file were read", "[c
   const std::string scene = "solve ground.gltf -o out --size 40x30 ";
   CHECK(shell.output(scene).find("candela and lux of the file were divided by 683 lm/W; --lumens-per-watt 1") !=
         std::string::npos);
-  const json solution = json::parse(readAll(shell.file("out/solution.json")));
+  const json solution = solutionOf(shell, "out");
   CHECK(solution["settings"]["lumens_per_watt"] == 683.0);
   CHECK(solution["settings"]["sun"][0]["irradiance"] == json({2.0, 2.0, 2.0}));
   CHECK(solution["settings"]["lamp"][0]["intensity"] == json({1.0, 1.0, 1.0}));

@@ -18,10 +18,10 @@ using nlohmann::json;
 namespace {
 
 /// Removes the values that differ from run to run.
-json withoutTimes(json value) {
+json withoutTimesOfJson(json value) {
   if (value.is_object()) value.erase("times");
   for (json& part : value)
-    if (part.is_structured()) part = withoutTimes(part);
+    if (part.is_structured()) part = withoutTimesOfJson(part);
   return value;
 }
 
@@ -49,7 +49,7 @@ TEST_CASE("hemitex tradeoff writes a table, an object and a page, the same for a
   shell.output(quick + "-o one --threads 1");
   const json result = json::parse(shell.output(quick + "-o three --threads 3 --json"));
   const json one = json::parse(readAll(shell.file("one/tradeoff.json")));
-  CHECK(withoutTimes(one) == withoutTimes(result));
+  CHECK(withoutTimesOfJson(one) == withoutTimesOfJson(result));
   CHECK(result == json::parse(readAll(shell.file("three/tradeoff.json"))));
   CHECK(std::distance(fs::directory_iterator(shell.file("one")), {}) == 3);
 

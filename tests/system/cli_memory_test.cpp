@@ -15,11 +15,11 @@ using Catch::Contains;
 
 namespace {
 
-const std::string program = "'" HEMITEX_PROGRAM "' --threads 2 ";
+const std::string twoThreads = "'" HEMITEX_PROGRAM "' --threads 2 ";
 
 /// Runs a command with an address space of so many MiB, for at most 20 seconds.
 Outcome limited(const Shell& shell, int mebibytes, const std::string& arguments) {
-  return shell.execute("ulimit -c 0; ulimit -v " + std::to_string(mebibytes * 1024) + "; timeout 20 " + program +
+  return shell.execute("ulimit -c 0; ulimit -v " + std::to_string(mebibytes * 1024) + "; timeout 20 " + twoThreads +
                        arguments);
 }
 
@@ -67,7 +67,7 @@ TEST_CASE("hemitex refuses more than 2^24 elements in all commands, unless --ins
   const Shell shell;
   for (const char* command : {"formfactors room.obj --from floor --texel-size 1e-9",
                               "solve room.obj -o out --texel-size 1e-9", "tradeoff room.obj -o t --texels 4096"}) {
-    const Outcome outcome = shell.execute("timeout 5 " + program + command);
+    const Outcome outcome = shell.execute("timeout 5 " + twoThreads + command);
     INFO(command << ": " << outcome.err);
     CHECK(outcome.exitCode == 2);
     CHECK_THAT(outcome.err, Contains("room.obj: ") && Contains("100663296 elements") &&
@@ -76,7 +76,7 @@ TEST_CASE("hemitex refuses more than 2^24 elements in all commands, unless --ins
   // The option works before and after the command.
   const std::string row = "formfactors room.obj --from floor --texels 1700";
   for (const std::string& command : {row + " --insist", "--insist " + row})
-    CHECK(shell.execute("timeout 1 " + program + command).exitCode == 124);
+    CHECK(shell.execute("timeout 1 " + twoThreads + command).exitCode == 124);
 }
 
 TEST_CASE("bytesPerTriangle is what a triangle of a mesh takes while it is read", "[faults]") {
@@ -102,7 +102,7 @@ TEST_CASE("bytesPerTriangle is what a triangle of a mesh takes while it is read"
     const Outcome outcome = shell.execute(
         "python3 -c 'import resource, subprocess, sys; subprocess.run(sys.argv[1:], stdout=subprocess.DEVNULL); "
         "print(resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss)' " +
-        program + "formfactors " + name + " --one-sided --from lamp --by-surface --texels 64 --resolution 16");
+        twoThreads + "formfactors " + name + " --one-sided --from lamp --by-surface --texels 64 --resolution 16");
     INFO(outcome.err);
     return 1024 * std::stod(outcome.out);
   };
@@ -117,7 +117,7 @@ TEST_CASE("hemitex does not wait for a pipe", "[cli]") {
   const Shell shell;
   const auto check = [&](const std::string& name, const std::string& command) {
     shell.execute("mkfifo " + name);
-    const Outcome outcome = shell.execute("timeout 5 " + program + command);
+    const Outcome outcome = shell.execute("timeout 5 " + twoThreads + command);
     INFO(command << ": " << outcome.err);
     CHECK(outcome.exitCode == 2);
     CHECK_THAT(outcome.err, Contains(name + ": is a pipe or a device, not a file"));

@@ -15,8 +15,6 @@ using Catch::Matchers::Contains;
 
 namespace {
 
-const std::string program = "'" HEMITEX_PROGRAM "' ";
-
 /// How an option that writes is tried.
 struct Writer {
   std::string name;  ///< of the file or folder that stands for OUT in the command
@@ -26,7 +24,7 @@ struct Writer {
   bool ends = true;   ///< whether a success ends within seconds
 };
 
-const std::string solve = "solve room.obj --texels 2 --patch 2 --resolution 16 --shots 1 --size 8x6 ";
+const std::string shortSolve = "solve room.obj --texels 2 --patch 2 --resolution 16 --shots 1 --size 8x6 ";
 const std::string watch = "watch room.obj --texels 2 --patch 2 --resolution 16 --shots 1 --size 8x6 ";
 const std::string check = "vector check v --candidate v --profile p.json ";
 const std::string named = "--device-name d --driver d ";
@@ -37,8 +35,8 @@ const std::string facets = "--all --facets --resolution 16 ";
 /// By the words of `--written-options`: the command and the option.
 const std::map<std::string, Writer> writers{
     {"hemitex ", {"out", "--shell-files OUT", "man/man1/hemitex.1", ""}},
-    {"hemitex solve -o,--output", {"out", solve + "-o OUT", "scene.mtl", "out/scene.obj"}},
-    {"hemitex solve --checkpoint", {"out", solve + "-o lit --checkpoint OUT", "", "room.mtl"}},
+    {"hemitex solve -o,--output", {"out", shortSolve + "-o OUT", "scene.mtl", "out/scene.obj"}},
+    {"hemitex solve --checkpoint", {"out", shortSolve + "-o lit --checkpoint OUT", "", "room.mtl"}},
     {"hemitex watch -o,--output", {"out", watch + "-o OUT", "scene.mtl", "out/scene.obj", false}},
     {"hemitex render -o,--output", {"out.png", "render mapped.obj --size 8x6 -o OUT", "", "map.png"}},
     {"hemitex formfactors -o,--output",

@@ -8,8 +8,6 @@ using namespace hemitex::tests;
 
 namespace {
 
-const std::string program = "'" HEMITEX_PROGRAM "' ";
-
 /// Starts a solution of hours in the background and waits until it has its temporary folder.
 const std::string startLongRun =
     program +

@@ -6,16 +6,13 @@
 #include <string>
 
 #include "tests/support/shell.h"
+#include "tests/support/solved_folder.h"
 
 using namespace hemitex::tests;
 namespace fs = std::filesystem;
 using nlohmann::json;
 
 namespace {
-
-json solutionOf(const Shell& shell, const std::string& folder) {
-  return json::parse(readAll(shell.file(folder + "/solution.json")));
-}
 
 std::set<std::string> namesIn(const fs::path& folder) {
   std::set<std::string> names;

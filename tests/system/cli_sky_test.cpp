@@ -20,11 +20,11 @@ void writeGround(const Shell& shell) {
   writeAll(shell.file("ground.mtl"), "newmtl black\nKd 0 0 0\n");
 }
 
-json solved(const Shell& shell, const std::string& arguments) {
+json solvedUnder(const Shell& shell, const std::string& arguments) {
   return json::parse(shell.output("solve " + arguments + " --size 40x30 --json"));
 }
 
-void checkBalance(const json& energy) {
+void checkEnergyBalance(const json& energy) {
   for (std::size_t band = 0; band < 3; ++band) {
     const auto at = [&](const char* key) { return energy[key][band].get<double>(); };
     CHECK(at("absorbed") + at("unshot") + at("lost") == Approx(at("emitted")).epsilon(1e-12));
@@ -36,11 +36,11 @@ void checkBalance(const json& energy) {
 TEST_CASE("hemitex solve --sky lights an open plane with its irradiance, and counts the light on its back", "[cli]") {
   const Shell shell;
   writeGround(shell);
-  const json solution = solved(shell, "ground.obj -o out --sky 3,2,1");
+  const json solution = solvedUnder(shell, "ground.obj -o out --sky 3,2,1");
   const json& energy = solution["energy"];
   CHECK(energy["emitted"][0].get<double>() == Approx(4 * 3).epsilon(0.003));
   CHECK(energy["unshot"][0] == 0);
-  checkBalance(energy);
+  checkEnergyBalance(energy);
   CHECK(energy["lost_to_backs"][0] == 0);
   CHECK(energy["sky_on_backs"][1].get<double>() == Approx(4 * 2).epsilon(0.003));
   CHECK(solution["settings"]["sky"] == json({3.0, 2.0, 1.0}));
@@ -50,7 +50,7 @@ TEST_CASE("hemitex solve --sky lights an open plane with its irradiance, and cou
 TEST_CASE("hemitex solve --sun lights a plane with the cosine of its incidence", "[cli]") {
   const Shell shell;
   writeGround(shell);
-  const json solution = solved(shell, "ground.obj -o out --sun 0,3,4=10,5,0 --sun 0,0,-2=1,1,1");
+  const json solution = solvedUnder(shell, "ground.obj -o out --sun 0,3,4=10,5,0 --sun 0,0,-2=1,1,1");
   CHECK(solution["energy"]["emitted"][0].get<double>() == Approx(4 * 10 * 0.8).epsilon(0.005));
   CHECK(solution["energy"]["sky_on_backs"][0].get<double>() == Approx(4 * 1).epsilon(0.005));
   CHECK(solution["settings"]["sun"][0]["irradiance"] == json({10.0, 5.0, 0.0}));
@@ -93,10 +93,10 @@ TEST_CASE("hemitex solve --lights reads the sky and the sun, and options overrid
   writeAll(shell.file("lights.json"),
            R"({"sky": [3, 2, 1], "sun": {"towards": [0, 3, 4], "irradiance": [10, 5, 0]}, "ground": [1, 1, 1]})");
   const std::string scene = "ground.obj -o ";
-  solved(shell, scene + "file --lights lights.json");
-  solved(shell, scene + "options --sky 3,2,1 --sun 0,3,4=10,5,0 --emit ground=1,1,1");
+  solvedUnder(shell, scene + "file --lights lights.json");
+  solvedUnder(shell, scene + "options --sky 3,2,1 --sun 0,3,4=10,5,0 --emit ground=1,1,1");
   CHECK(readAll(shell.file("file/elements.csv")) == readAll(shell.file("options/elements.csv")));
-  const json both = solved(shell, scene + "both --lights lights.json --sky 0,0,0 --sun 1,0,0=1,1,1");
+  const json both = solvedUnder(shell, scene + "both --lights lights.json --sky 0,0,0 --sun 1,0,0=1,1,1");
   CHECK_FALSE(both["settings"].contains("sky"));
   CHECK(both["settings"]["sun"].size() == 1);
 }
@@ -113,10 +113,10 @@ TEST_CASE("hemitex solve --sky works with every method, discretization and stopp
            "v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nv 0 0 1\nv 2 0 1\nv 2 2 1\nv 0 2 1\ng floor\nf 1 2 3 4\ng wall-1\n"
            "f 1 5 6 2\ng wall-2\nf 2 6 7 3\ng wall-3\nf 3 7 8 4\n");
   const bool isSized = options.starts_with("--adaptive");
-  const json solution = solved(shell, "open.obj -o out --sky 1,2,3 --sun 1,-1,2=3,2,1 " + options +
-                                          (isSized ? " --texels 8" : " --texels 4") +
-                                          (options.starts_with("--max-error") ? "" : " --split 0.1"));
-  checkBalance(solution["energy"]);
+  const json solution = solvedUnder(shell, "open.obj -o out --sky 1,2,3 --sun 1,-1,2=3,2,1 " + options +
+                                               (isSized ? " --texels 8" : " --texels 4") +
+                                               (options.starts_with("--max-error") ? "" : " --split 0.1"));
+  checkEnergyBalance(solution["energy"]);
   CHECK(solution["energy"]["emitted"][0].get<double>() > 4);
   const bool hasBacks = options != "--two-sided";
   CHECK((solution["energy"]["sky_on_backs"][2].get<double>() > 1) == hasBacks);
@@ -127,10 +127,10 @@ TEST_CASE("hemitex solve --edits lets the light of the sky follow an object", "[
   writeGround(shell);
   writeAll(shell.file("roof.obj"), "v -1 -1 1\nv 1 -1 1\nv 1 1 1\nv -1 1 1\ng roof\nf 1 2 3 4\n");
   writeAll(shell.file("edits.json"), R"({"frames": [[{"add": "roof.obj"}], [{"move": "roof", "by": [0, 0, 10]}]]})");
-  solved(shell, "ground.obj -o out --sky 1,1,1 --texels 4 --edits edits.json");
+  solvedUnder(shell, "ground.obj -o out --sky 1,1,1 --texels 4 --edits edits.json");
   const auto absorbed = [&](const std::string& folder) {
     const json energy = json::parse(readAll(shell.file("out/" + folder + "solution.json")))["energy"];
-    checkBalance(energy);
+    checkEnergyBalance(energy);
     return energy["absorbed"][0].get<double>();
   };
   const double open = absorbed(""), roofed = absorbed("frame-1/"), high = absorbed("frame-2/");
@@ -149,7 +149,7 @@ TEST_CASE("hemitex solve without light from outside names no sky in solution.jso
 
 TEST_CASE("hemitex solve --sky brings no light into a closed room", "[cli]") {
   const Shell shell;
-  const json dark = solved(shell, "room.obj -o dark --emit '*=0,0,0' --sky 1,1,1 --texels 4");
+  const json dark = solvedUnder(shell, "room.obj -o dark --emit '*=0,0,0' --sky 1,1,1 --texels 4");
   CHECK(dark["energy"]["emitted"] == json({0.0, 0.0, 0.0}));
   CHECK(dark["shots"] == 0);
 }

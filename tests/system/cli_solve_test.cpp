@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "tests/support/shell.h"
-#include "tests/support/solved_elements.h"
+#include "tests/support/solved_folder.h"
 
 using namespace hemitex::tests;
 namespace fs = std::filesystem;
@@ -114,7 +114,7 @@ TEST_CASE(
   for (const char* name : {"elements.csv", "render.png", "scene.obj"})
     CHECK(readAll(shell.file("one") / name) == readAll(shell.file("without") / name));
   const auto withoutTimes = [&](const std::string& name) {
-    json solution = json::parse(readAll(shell.file(name + "/solution.json")));
+    json solution = solutionOf(shell, name);
     solution.erase("times");
     if (solution.contains("frames"))
       for (json& frame : solution["frames"]) frame.erase("times");
@@ -148,7 +148,7 @@ TEST_CASE("hemitex solve --emission radiance multiplies the emission of scenes, 
     shell.output(quickSolve + "--edits edits.json -o " + folder + options);
     std::vector<double> flux;
     for (const std::string& name : {folder, folder + "/frame-1"}) {
-      const json solution = json::parse(readAll(shell.file(name + "/solution.json")));
+      const json solution = solutionOf(shell, name);
       CHECK(solution["settings"]["emission"] == (options.empty() ? "radiosity" : "radiance"));
       for (const json& band : solution["energy"]["emitted"]) flux.push_back(band);
     }
@@ -174,9 +174,7 @@ TEST_CASE("hemitex solve --edits updates light along the rows of a matrix, and r
   const std::string alongRows = "solve room.obj --matrix F.npz --residual 1e-9 --no-textures --size 40x30 -o ";
   shell.output(alongRows + "edited --edits light.json");
   shell.output(alongRows + "new --emit ceiling=0,1,2");
-  const auto surfaces = [&](const std::string& folder) {
-    return json::parse(readAll(shell.file(folder + "/solution.json")))["surfaces"];
-  };
+  const auto surfaces = [&](const std::string& folder) { return solutionOf(shell, folder)["surfaces"]; };
   const json edited = surfaces("edited/frame-1"), fresh = surfaces("new");
   REQUIRE(edited.size() == fresh.size());
   REQUIRE(edited.size() == 6);
@@ -200,8 +198,7 @@ TEST_CASE("hemitex solve finds the light of a room that lies far from the origin
   const auto radiosity = [&](const std::string& name) {
     shell.output("solve " + name + ".obj --texels 4 --no-textures --size 40x30 -o " + name);
     std::vector<double> values;
-    for (const json& surface : json::parse(readAll(shell.file(name + "/solution.json")))["surfaces"])
-      values.push_back(surface["radiosity"][0]);
+    for (const json& surface : solutionOf(shell, name)["surfaces"]) values.push_back(surface["radiosity"][0]);
     values.resize(6);
     return values;
   };
@@ -262,7 +259,7 @@ TEST_CASE("hemitex solve --emit, --reflectance and --lights give the bytes of a 
     shell.output("solve dark.obj --texels 4 --patch 2 --resolution 32 --size 40x30 -o " + folder + " " + options);
     for (const char* name : {"elements.csv", "render.png", "scene.obj", "floor.exr"})
       CHECK(readAll(shell.file(folder) / name) == readAll(shell.file("without") / name));
-    return json::parse(readAll(shell.file(folder + "/solution.json")))["settings"];
+    return solutionOf(shell, folder)["settings"];
   };
   std::string dark = readAll(shell.file("room.obj"));
   dark.replace(dark.find("room.mtl"), 8, "dark.mtl");
@@ -277,7 +274,7 @@ TEST_CASE("hemitex solve --emit, --reflectance and --lights give the bytes of a 
   check("lights", paint + "--lights lights.json");
   check("overridden", paint + "--emit floor=0,0,0 --lights lights.json --emit ceiling/lamp=10,10,10");
   check("radiance", paint + "--emission radiance --emit lamp=3.183098861837907,3.183098861837907,3.183098861837907");
-  CHECK_FALSE(json::parse(readAll(shell.file("without/solution.json")))["settings"].contains("materials"));
+  CHECK_FALSE(solutionOf(shell, "without")["settings"].contains("materials"));
 }
 
 TEST_CASE("hemitex solve lowers a --reflectance of 1 or more with a warning", "[cli]") {
@@ -386,7 +383,7 @@ TEST_CASE("hemitex solve --discretize mesh gives the results of textures", "[cli
   const Shell shell;
   const auto solutionBy = [&](const std::string& method) {
     shell.output(quickSolve + "--discretize " + method + " -o " + method);
-    return json::parse(readAll(shell.file(method + "/solution.json")));
+    return solutionOf(shell, method);
   };
   const json texture = solutionBy("texture"), mesh = solutionBy("mesh");
   CHECK(texture["settings"]["discretize"] == "texture");
@@ -417,7 +414,7 @@ TEST_CASE("hemitex solve writes the documented files", "[cli]") {
   CHECK(lines[2].starts_with("floor,1,0,"));
   CHECK(lines[1 + 2 * 16].starts_with("\"right, with \"\"quotes\"\"\",0,0,"));
 
-  const json solution = json::parse(readAll(shell.file("out/solution.json")));
+  const json solution = solutionOf(shell, "out");
   CHECK(solution["elements"] == 96);
   CHECK(solution["patches"] == 24);
   CHECK(solution["residual"] <= 0.001);
@@ -465,7 +462,7 @@ TEST_CASE("hemitex solve --method rays agrees with hemicubes within their errors
 TEST_CASE("hemitex solve --adaptive keeps elements together where light changes little", "[cli]") {
   const Shell shell;
   shell.output("solve room.obj --texels 16 --patch 4 --resolution 32 --size 40x30 --adaptive 0.001 -o out");
-  const json solution = json::parse(readAll(shell.file("out/solution.json")));
+  const json solution = solutionOf(shell, "out");
   CHECK(solution["settings"]["adaptive"] == 0.001);
   CHECK(solution["settings"]["filter"] == "quadtree");
   // Six faces of at least 4 x 4 elements, at most 16 x 16.
@@ -488,10 +485,10 @@ TEST_CASE("hemitex solve --filter changes display textures and no measured value
       CHECK(readAll(shell.file(filter + name)) == readAll(shell.file("one-to-one" + name)));
     CHECK((readAll(shell.file(filter + "/floor.png")) == readAll(shell.file("one-to-one/floor.png"))) ==
           (filter == "one-to-one"));
-    const json settings = json::parse(readAll(shell.file(filter + "/solution.json")))["settings"];
+    const json settings = solutionOf(shell, filter)["settings"];
     CHECK(settings["filter"] == filter);
     CHECK(settings["magnify"].is_null());
-    const json solution = json::parse(readAll(shell.file(filter + "/solution.json")));
+    const json solution = solutionOf(shell, filter);
     for (const json& surface : solution["surfaces"]) {
       const int longer = std::max(surface["columns"].get<int>(), surface["rows"].get<int>());
       const int magnified = longer * surface["texture"]["magnification"].get<int>();
@@ -499,7 +496,7 @@ TEST_CASE("hemitex solve --filter changes display textures and no measured value
     }
   }
   shell.output(quickSolve + "--magnify 3 -o three");
-  const json three = json::parse(readAll(shell.file("three/solution.json")));
+  const json three = solutionOf(shell, "three");
   CHECK(three["settings"]["magnify"] == 3);
   CHECK(three["settings"]["filter"] == "bicubic");
   for (const json& surface : three["surfaces"]) CHECK(surface["texture"]["magnification"] == 3);
@@ -513,7 +510,7 @@ TEST_CASE("hemitex solve ends at the first of --shots and --residual, and says w
     INFO(options);
     const std::string text =
         shell.output("solve room.obj --texels 4 --resolution 32 --no-textures --size 40x30 -o lit " + options);
-    const json solution = json::parse(readAll(shell.file("lit/solution.json")));
+    const json solution = solutionOf(shell, "lit");
     CHECK((text.find("where --shots ended it") != std::string::npos) == (solution["ended_by"] == "shots"));
     return solution;
   };
@@ -537,7 +534,7 @@ TEST_CASE("hemitex solve --max-error keeps the limits that are given beside it",
     const Outcome outcome =
         shell.run("solve room.obj --texels 4 --max-error 0.1 --size 40x30 --no-textures -o lit " + options);
     REQUIRE(outcome.exitCode == 0);
-    json solution = json::parse(readAll(shell.file("lit/solution.json")));
+    json solution = solutionOf(shell, "lit");
     const bool isWithin = !solution["expected_error"].is_null() && solution["expected_error"] <= 0.1 &&
                           solution["expected_error_seen"] <= 0.1;
     CHECK((outcome.err.find("--shots ended the solution") == std::string::npos) == isWithin);
@@ -568,7 +565,7 @@ TEST_CASE("hemitex solve --max-error keeps the limits that are given beside it",
 TEST_CASE("hemitex solve --adaptive --texel-size has quadtrees of the next power of two", "[cli]") {
   const Shell shell;
   shell.output("solve room.obj --adaptive 0.001 --texel-size 0.3 --resolution 32 --no-textures --size 40x30 -o lit");
-  for (const json& surface : json::parse(readAll(shell.file("lit/solution.json")))["surfaces"]) {
+  for (const json& surface : solutionOf(shell, "lit")["surfaces"]) {
     const int columns = surface["columns"];
     CHECK(columns == surface["rows"]);
     CHECK((columns & (columns - 1)) == 0);
@@ -581,7 +578,7 @@ TEST_CASE("hemitex solve bounds the light of facets that are divided, and the en
   const auto solved = [&](const std::string& options) {
     INFO(options);
     shell.output(box + options);
-    return json::parse(readAll(shell.file("lit/solution.json")));
+    return solutionOf(shell, "lit");
   };
   const json divided = solved("--facets --max-error 0.2 --texels 2"), trees = solved("--facets --adaptive 0.01");
   CHECK(divided["expected_error"] <= 0.2);

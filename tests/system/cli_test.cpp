@@ -5,6 +5,7 @@
 #include <string>
 
 #include "tests/support/shell.h"
+#include "tests/support/solved_folder.h"
 
 using namespace hemitex::tests;
 using nlohmann::json;
@@ -202,7 +203,7 @@ TEST_CASE("hemitex prints --help and --version on stdout, before or after a comm
 TEST_CASE("hemitex --json prints one object on stdout and nothing else", "[cli]") {
   const Shell shell;
   json solution = json::parse(shell.output(quickSolve + "-o out --json"));
-  CHECK(solution == json::parse(readAll(shell.file("out/solution.json"))));
+  CHECK(solution == solutionOf(shell, "out"));
   CHECK(json::parse(shell.output("--json render out/scene.obj -o picture.png --size 40x30")).is_object());
   const json row = json::parse(shell.output("formfactors room.obj --from floor --by-surface --resolution 32 --json"));
   CHECK(row["row"].size() == 6);

@@ -11,6 +11,7 @@
 #include "cli/report/solved_page.h"
 #include "tests/support/box_scene.h"
 #include "tests/support/shell.h"
+#include "tests/support/solved_folder.h"
 
 using namespace hemitex::tests;
 namespace fs = std::filesystem;
@@ -32,7 +33,7 @@ json elementOf(const std::string& page, const std::string& id) {
 }
 
 /// A page without its element of times.
-std::string withoutTimes(const std::string& page) {
+std::string withoutTimesOfPage(const std::string& page) {
   const std::size_t begin = page.find("<script type=\"application/json\" id=\"times\">");
   REQUIRE(begin != std::string::npos);
   return page.substr(0, begin) + page.substr(page.find('\n', begin));
@@ -45,9 +46,9 @@ TEST_CASE("hemitex solve --report writes the same page for any number of threads
   shell.output(quickSolve + "--report -o one --threads 1");
   shell.output(quickSolve + "--report -o two --threads 2");
   const std::string page = readAll(shell.file("one/report.html"));
-  CHECK(withoutTimes(page) == withoutTimes(readAll(shell.file("two/report.html"))));
+  CHECK(withoutTimesOfPage(page) == withoutTimesOfPage(readAll(shell.file("two/report.html"))));
 
-  const json shown = elementOf(page, "result"), solution = json::parse(readAll(shell.file("one/solution.json")));
+  const json shown = elementOf(page, "result"), solution = solutionOf(shell, "one");
   for (const char* key : {"settings", "elements", "shots", "residual", "energy", "warnings"})
     CHECK(shown[key] == solution[key]);
   REQUIRE(shown["surfaces"].size() == 6);
@@ -64,7 +65,7 @@ TEST_CASE("hemitex solve --report writes the same page for any number of threads
 TEST_CASE("hemitex solve writes the means of each surface, which add up to the flux of its elements", "[cli]") {
   const Shell shell;
   shell.output(quickSolve + "-o out");
-  const json solution = json::parse(readAll(shell.file("out/solution.json")));
+  const json solution = solutionOf(shell, "out");
   double flux = 0, emitted = 0, ofElements = 0;
   for (const json& surface : solution["surfaces"]) {
     const double area = surface["area"], radiosity = surface["radiosity"][2], emission = surface["emission"][2];

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "tests/support/shell.h"
+#include "tests/support/solved_folder.h"
 
 using namespace hemitex::tests;
 using nlohmann::json;
@@ -62,8 +63,8 @@ TEST_CASE("hemitex watch solves in bands, along other rows and in the unit of th
     REQUIRE(linesOf(outcome.out).size() == 3);
     CHECK(lineOf(outcome, 1)["updated"] == true);
     shell.output("solve room.obj --texels 4 --resolution 32 --size 40x30 -o new --no-textures " + options);
-    const json watched = json::parse(readAll(shell.file("lit/solution.json")))["energy"]["emitted"],
-               solved = json::parse(readAll(shell.file("new/solution.json")))["energy"]["emitted"];
+    const json watched = solutionOf(shell, "lit")["energy"]["emitted"],
+               solved = solutionOf(shell, "new")["energy"]["emitted"];
     REQUIRE(watched.size() == solved.size());
     for (std::size_t band = 0; band < solved.size(); ++band)
       CHECK(watched[band].get<double>() == Approx(solved[band].get<double>()).epsilon(1e-12));

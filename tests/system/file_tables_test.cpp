@@ -865,7 +865,7 @@ bool isNamed(const std::vector<std::string>& warnings, const std::string& part) 
                      [&](const std::string& warning) { return warning.find(part) != warning.npos; });
 }
 
-void check(const Files& given) {
+void checkFiles(const Files& given) {
   const TemporaryFolder folder;
   for (const auto& [name, content] : given.files) writeAll(folder.path / name, content);
   const std::filesystem::path file = folder.path / given.files.front().first;
@@ -908,7 +908,7 @@ TEST_CASE("loadScene does with each construct of a format what docs/files.md say
     for (const auto& [construct, files] : rows) {
       CAPTURE(format, construct);
       CHECK(std::count(constructs.begin(), constructs.end(), construct) == 1);
-      for (const Files& some : files) check(some);
+      for (const Files& some : files) checkFiles(some);
     }
   }
 }

@@ -14,17 +14,17 @@ namespace {
 
 const std::string square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
 
-Outcome solve(const Shell& shell, const std::string& file, const std::string& text) {
+Outcome solveText(const Shell& shell, const std::string& file, const std::string& text) {
   writeAll(shell.file(file), text);
   return shell.run("solve '" + file + "' --sky 1,1,1 -o out --size 40x30 --json");
 }
 
-const std::string grey = "faces without a material become grey 0.5";
+const std::string becomesGrey = "faces without a material become grey 0.5";
 
 struct Foreign {
   std::string what, text;
   double area = 1;  ///< of the fronts, all of which see half of the sky
-  std::vector<std::string> warnings = {grey};
+  std::vector<std::string> warnings = {becomesGrey};
 };
 
 }  // namespace
@@ -47,15 +47,16 @@ TEST_CASE("hemitex solve --sky lights OBJ files with odd syntax", "[cli]") {
        1,
        {"a face names the normal 2, which the file lacks (line 6); faces without normals are smooth by the angle "
         "between them",
-        grey}},
+        becomesGrey}},
       {"unused normals and texture coordinates", square + "vn 0 0 1\nvt 0 0\nf 1//1 2//1 3//1 4//1\n"},
       {"smoothing groups", square + "s 1\nf 1 2 3\ns off\nf 1 3 4\ns 0\n"},
       {"a polygon of five corners", square + "v 0.5 2 0\nf 1 2 3 5 4\n", 1.5},
       {"a concave polygon", square + "v 0.5 0.5 0\nf 1 2 3 5 4\n", 0.75},
       {"a polygon whose corners repeat", square + "f 1 2 2 3 4 4\n"},
-      {"lines and points beside faces", square + "p 1 2\nl 1 2 3\nf 1 2 3 4\nl 3 4\np 1\n",
+      {"lines and points beside faces",
+       square + "p 1 2\nl 1 2 3\nf 1 2 3 4\nl 3 4\np 1\n",
        1,
-       {"only polygons are read; these statements are left out: `l` (line 6), `p` (line 5)", grey}},
+       {"only polygons are read; these statements are left out: `l` (line 6), `p` (line 5)", becomesGrey}},
       {"CRLF", "v 0 0 0\r\nv 1 0 0\r\nv 1 1 0\r\nv 0 1 0\r\ng sheet\r\nf 1 2 3 4\r\n"},
       {"colours after vertices", "v 0 0 0 1 0 0\nv 1 0 0 0 1 0\nv 1 1 0 0 0 1\nv 0 1 0 1 1 1\nf 1 2 3 4\n", 1, {}},
       {"a weight after vertices", "v 0 0 0 1.0\nv 1 0 0 1.0\nv 1 1 0 1.0\nv 0 1 0 1.0\nf 1 2 3 4\n"},
@@ -75,11 +76,11 @@ TEST_CASE("hemitex solve --sky lights OBJ files with odd syntax", "[cli]") {
       {"a face without area beside others",
        square + "f 1 1 2\nf 1 2 3 4\n",
        1,
-       {"1 face without area dropped (line 5)", grey}},
+       {"1 face without area dropped (line 5)", becomesGrey}},
   }));
   INFO(foreign.what);
   const Shell shell;
-  const Outcome outcome = solve(shell, "a scene.obj", foreign.text);
+  const Outcome outcome = solveText(shell, "a scene.obj", foreign.text);
   INFO(outcome.err);
   REQUIRE(outcome.exitCode == 0);
   const json solution = json::parse(outcome.out);
@@ -105,7 +106,7 @@ TEST_CASE("hemitex solve --sky names the fault of an OBJ file that it cannot rea
       {square + "v 0 0\nf 1 2 5\n", ":5: a vertex has 3 coordinates"},
   }));
   const Shell shell;
-  const Outcome outcome = solve(shell, "odd.obj", text);
+  const Outcome outcome = solveText(shell, "odd.obj", text);
   INFO(text << '\n' << outcome.err);
   CHECK(outcome.exitCode == 2);
   CHECK(outcome.err.find("odd.obj") != std::string::npos);

@@ -8,6 +8,7 @@
 
 #include "raster/base/file_io.h"
 #include "tests/support/shell.h"
+#include "tests/support/solved_folder.h"
 
 using namespace hemitex;
 using namespace hemitex::tests;
@@ -106,7 +107,7 @@ void checkSet(const Shell& shell, const std::vector<std::string>& options) {
   // A run that goes on from the last checkpoint, or two solutions one after the other, have the same light.
   const bool hasState = std::filesystem::exists(shell.file("state"));
   shell.output("solve " + scene + " -o again -q " + text + (hasState ? "--resume state" : ""));
-  const json again = json::parse(readAll(shell.file("again/solution.json")));
+  const json again = solutionOf(shell, "again");
   for (const char* name : {"energy", "surfaces", "residual", "files", "settings"}) {
     INFO(name);
     CHECK(again.value(name, json()) == solution.value(name, json()));

@@ -72,7 +72,7 @@ void compare(const TruthScene& expected, const Scene& scene, const tests::TruthT
   CHECK(difference <= expected.error * all);
 }
 
-const std::string scenes = HEMITEX_SOURCE "/tests/truth/scenes/";
+const std::string folderOfScenes = HEMITEX_SOURCE "/tests/truth/scenes/";
 
 }  // namespace
 
@@ -80,15 +80,15 @@ TEST_CASE("solve agrees with light tracing in scenes of many kinds", "[truth-sce
   const TruthScene expected = GENERATE(values<TruthScene>(
       {{HEMITEX_DATA "/furnished-room", {}, "", 0.003, 0.07, 2e-4, {"shelf-board-1-bottom", "rug-edges"}, 0.5},
        // The lamp of these is a sheet 10 cm below the ceiling, whose back absorbs 1 %.
-       {scenes + "ball", {}, "", 0.005, 0.02, 0.012},
-       {scenes + "displaced", {}, "", 0.003, 0.04, 0.012, {"blob"}, 0.12},
-       {scenes + "attic", {}, "", 0.003, 0.04, 0.012},
-       {scenes + "thin", {}, "", 0.003, 0.04, 4e-4, {"book", "picture", "lamp-", "rug"}, 0.25},
-       {scenes + "block", {10, 10, 12}, "", 0.002, 0.02, 2e-4},
+       {folderOfScenes + "ball", {}, "", 0.005, 0.02, 0.012},
+       {folderOfScenes + "displaced", {}, "", 0.003, 0.04, 0.012, {"blob"}, 0.12},
+       {folderOfScenes + "attic", {}, "", 0.003, 0.04, 0.012},
+       {folderOfScenes + "thin", {}, "", 0.003, 0.04, 4e-4, {"book", "picture", "lamp-", "rug"}, 0.25},
+       {folderOfScenes + "block", {10, 10, 12}, "", 0.002, 0.02, 2e-4},
        // The rooms of the flat, and the reveals of its windows. Light tracing of single surfaces is accurate to 0.4 %.
-       {scenes + "flat", {10, 10, 12}, "a_", 0.01, 0.04, 2e-4, {"a_bed", "a_desk"}, 1.5},
-       {scenes + "flat", {10, 10, 12}, "b_", 0.005, 0.04, 2e-4, {"b_sofa"}, 0.3},
-       {scenes + "flat", {10, 10, 12}, "opening", 0.01, 0.04, 2e-4}}));
+       {folderOfScenes + "flat", {10, 10, 12}, "a_", 0.01, 0.04, 2e-4, {"a_bed", "a_desk"}, 1.5},
+       {folderOfScenes + "flat", {10, 10, 12}, "b_", 0.005, 0.04, 2e-4, {"b_sofa"}, 0.3},
+       {folderOfScenes + "flat", {10, 10, 12}, "opening", 0.01, 0.04, 2e-4}}));
   CAPTURE(expected.path, expected.family);
   Scene scene = loadScene(expected.path + ".obj", {.sides = Sides::TwoOfSheets});
   scene.outside.sky = expected.sky;
@@ -99,7 +99,7 @@ TEST_CASE("solve agrees with light tracing in scenes of many kinds", "[truth-sce
 }
 
 TEST_CASE("Elements within 10 cm of a lamp have its light to 1 %", "[truth-scenes]") {
-  const Scene scene = loadScene(scenes + "kitchen.obj", {.sides = Sides::TwoOfSheets});
+  const Scene scene = loadScene(folderOfScenes + "kitchen.obj", {.sides = Sides::TwoOfSheets});
   Discretization discretization;
   const Solution solution = solvedByDefault(scene, discretization);
   const auto numberOf = [&](const std::string& name, std::uint32_t column, std::uint32_t row) {
@@ -107,7 +107,7 @@ TEST_CASE("Elements within 10 cm of a lamp have its light to 1 %", "[truth-scene
     const Grid& grid = discretization.grids[static_cast<std::size_t>(surface - scene.surfaces.begin())];
     return grid.elementOfTexel[row * static_cast<std::uint32_t>(grid.columns) + column];
   };
-  std::ifstream file(scenes + "kitchen.truth.csv");
+  std::ifstream file(folderOfScenes + "kitchen.truth.csv");
   std::string line, name;
   std::getline(file, line);
   std::getline(file, line);

@@ -14,6 +14,7 @@
 #include "radiosity/images/image.h"
 #include "tests/support/glb.h"
 #include "tests/support/shell.h"
+#include "tests/support/solved_folder.h"
 
 using namespace hemitex;
 using namespace hemitex::tests;
@@ -112,7 +113,7 @@ TEST_CASE("VTK draws the cell data of scene.vtu as render.png", "[viewers]") {
     return;
   }
   shell.output("solve " HEMITEX_DATA "/cornell-box.obj -o lit --facets --max-error 0.02 --no-textures");
-  const json settings = json::parse(readAll(shell.file("lit/solution.json")))["settings"];
+  const json settings = solutionOf(shell, "lit")["settings"];
   const Outcome outcome = shell.execute("xvfb-run -a /usr/bin/python3 " HEMITEX_SOURCE
                                         "/tests/viewers/draw_in_vtk.py lit/scene.vtu radiosity lit/scene.view.json " +
                                         settings["exposure"].dump() + " 800 600 vtk.png");
@@ -125,7 +126,7 @@ TEST_CASE("VTK draws the cell data of scene.vtu as render.png", "[viewers]") {
 TEST_CASE("Blender imports scene.obj and scene.glb, and draws them as render.png", "[.blender]") {
   const Shell shell;
   solveCornellBox(shell);
-  const json solution = json::parse(readAll(shell.file("lit/solution.json")));
+  const json solution = solutionOf(shell, "lit");
   std::set<std::string> expected;
   for (const json& surface : solution["surfaces"]) {
     const std::string name = surface["name"];

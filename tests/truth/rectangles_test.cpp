@@ -36,11 +36,11 @@ double bookPerpendicular(double width, double height, double edge) {
 
 const std::vector<double> gaps{1e-6, 1e-4, 0.01, 0.3, 1, 7, 100, 3e3, 1e4};
 const std::vector<double> widths{1, 0.3, 1e-3, 1e-6};
-const std::vector<double> scales{1, 1e-6, 1e6};
+const std::vector<double> sizes{1, 1e-6, 1e6};
 
 AxisRectangle rectangle(double x0, double x1, double y0, double y1) { return {{x0, x1}, {y0, y1}}; }
 
-double areaOf(const AxisRectangle& r) { return (r.first.high - r.first.low) * (r.second.high - r.second.low); }
+double rectangleArea(const AxisRectangle& r) { return (r.first.high - r.first.low) * (r.second.high - r.second.low); }
 
 Parallelogram floorOf(const AxisRectangle& r) {
   return {{r.first.low, r.second.low, 0}, {r.first.high - r.first.low, 0, 0}, {0, r.second.high - r.second.low, 0}};
@@ -72,7 +72,7 @@ TEST_CASE("parallelRectangles of equal rectangles equals the book's form factor 
   double worst = 0;
   for (const double gap : gaps)
     for (const double width : widths)
-      for (const double scale : scales) {
+      for (const double scale : sizes) {
         const AxisRectangle r = rectangle(0, scale, 0, width * scale);
         worst = std::max(worst, relativeError(parallelRectangles(r, r, gap * scale),
                                               bookParallel(scale, width * scale, gap * scale)));
@@ -85,7 +85,7 @@ TEST_CASE("perpendicularRectangles with a common edge equals the book's form fac
   double worst = 0;
   for (const double width : gaps)
     for (const double height : gaps)
-      for (const double scale : scales)
+      for (const double scale : sizes)
         worst = std::max(worst, relativeError(perpendicularRectangles(rectangle(0, scale, 0, width * scale),
                                                                       rectangle(0, scale, 0, height * scale)),
                                               bookPerpendicular(width * scale, height * scale, scale)));
@@ -129,10 +129,10 @@ TEST_CASE("elementToParallelRectangle and elementToPerpendicularRectangle are th
 TEST_CASE("parallelRectangles and perpendicularRectangles satisfy reciprocity", "[form factors]") {
   for (const auto& [from, to] : unequalPairs) {
     for (const double gap : gaps)
-      CHECK(relativeError(areaOf(from) * parallelRectangles(from, to, gap),
-                          areaOf(to) * parallelRectangles(to, from, gap)) < 1e-15);
-    CHECK(relativeError(areaOf(from) * perpendicularRectangles(from, to),
-                        areaOf(to) * perpendicularRectangles(to, from)) < 1e-15);
+      CHECK(relativeError(rectangleArea(from) * parallelRectangles(from, to, gap),
+                          rectangleArea(to) * parallelRectangles(to, from, gap)) < 1e-15);
+    CHECK(relativeError(rectangleArea(from) * perpendicularRectangles(from, to),
+                        rectangleArea(to) * perpendicularRectangles(to, from)) < 1e-15);
   }
 }
 

@@ -23,7 +23,7 @@ using Surfaces = std::vector<Surface>;
 namespace {
 
 constexpr double pi = 3.14159265358979323846;
-const glm::dvec3 roomSize(4, 3, 2);
+const glm::dvec3 closedRoomSize(4, 3, 2);
 constexpr double floorArea = 12;
 /// Slices lie an eye's lift above a surface, so that solids whose sides are not perpendicular are cut slightly too
 /// narrow or too wide.
@@ -38,10 +38,10 @@ Surfaces joined(std::initializer_list<Surfaces> some) {
   return all;
 }
 
-Surfaces room() { return tests::box("room", {0, 0, 0}, roomSize, true); }
+Surfaces room() { return tests::box("room", {0, 0, 0}, closedRoomSize, true); }
 
 /// Faces are numbered as by tests::box: bottom, top, left, right, front, back.
-Surfaces box(const std::string& name, const glm::dvec3& low, const glm::dvec3& size, bool hasBottom = true) {
+Surfaces boxOf(const std::string& name, const glm::dvec3& low, const glm::dvec3& size, bool hasBottom = true) {
   Surfaces faces = tests::box(name, low, size, false);
   if (!hasBottom) faces.erase(faces.begin());
   return faces;
@@ -75,7 +75,7 @@ Surface tessellatedFloor(int columns, int rows, bool isOtherWay = false) {
   Surface floor = tests::surfaceOf("room0", {});
   const auto corner = [&](int i, int j) {
     const glm::dvec2 chart(double(i) / columns, double(j) / rows);
-    return tests::Corner{{chart.x * roomSize.x, chart.y * roomSize.y, 0}, chart};
+    return tests::Corner{{chart.x * closedRoomSize.x, chart.y * closedRoomSize.y, 0}, chart};
   };
   for (int j = 0; j < rows; ++j)
     for (int i = 0; i < columns; ++i) {
@@ -283,7 +283,8 @@ TEST_CASE("discretize takes the footprint of a box out of the floor's area", "[e
                                     std::pair(glm::dvec3(1, 0.8, 0), glm::dvec3(0.31, 0.7, 1)),
                                     std::pair(glm::dvec3(0.6, 0.5, 0), glm::dvec3(0.01, 2, 1)));
   CAPTURE(hasBottom, low.x, low.y);
-  checkAreas(joined({room(), box("box", low, size, hasBottom)}), {{"room0", floorArea - size.x * size.y}, {"box0", 0}});
+  checkAreas(joined({room(), boxOf("box", low, size, hasBottom)}),
+             {{"room0", floorArea - size.x * size.y}, {"box0", 0}});
 }
 
 TEST_CASE("discretize takes the footprint of a box out of a floor of several triangles", "[exposure]") {
@@ -294,7 +295,7 @@ TEST_CASE("discretize takes the footprint of a box out of a floor of several tri
                                     std::pair(glm::dvec3(1, 0.9, 0), glm::dvec3(1.5, 0.7, 0.5)),
                                     std::pair(glm::dvec3(0.93, 0.61, 0), glm::dvec3(1.83, 1.7, 0.5)));
   CAPTURE(isOtherWay, hasBottom, columns, rows, low.x, low.y);
-  checkAreas(joined({roomOn(tessellatedFloor(columns, rows, isOtherWay)), box("box", low, size, hasBottom)}),
+  checkAreas(joined({roomOn(tessellatedFloor(columns, rows, isOtherWay)), boxOf("box", low, size, hasBottom)}),
              {{"room0", floorArea - size.x * size.y}, {"box0", 0}}, chartTolerance);
 }
 
@@ -320,7 +321,7 @@ TEST_CASE("discretize buries what a rotated box covers", "[exposure]") {
   const bool hasBottom = GENERATE(true, false);
   const auto [cosine, sine] = GENERATE(std::pair(0.6, 0.8), std::pair(12.0 / 13, -5.0 / 13));
   const Surfaces rotated =
-      transformed(box("box", {1.5, 1, 0}, {1.1, 0.7, 0.9}, hasBottom), aboutZ(cosine, sine), {2, 1.4, 0});
+      transformed(boxOf("box", {1.5, 1, 0}, {1.1, 0.7, 0.9}, hasBottom), aboutZ(cosine, sine), {2, 1.4, 0});
   checkAreas(joined({room(), rotated}), {{"room0", floorArea - 1.1 * 0.7}, {"box0", 0}});
   checkAreas(joined({roomOn(tessellatedFloor(7, 5)), rotated}), {{"room0", floorArea - 1.1 * 0.7}, {"box0", 0}},
              chartTolerance);
@@ -329,8 +330,8 @@ TEST_CASE("discretize buries what a rotated box covers", "[exposure]") {
 TEST_CASE("discretize takes the union of two boxes that cross out of the floor's area", "[exposure]") {
   const bool hasBottom = GENERATE(true, false);
   // A cross: the higher one sticks out of the lower one above, both stick out at their ends.
-  const Surfaces along = box("along", {0.7, 1.2, 0}, {2.3, 0.5, 0.8}, hasBottom);
-  const Surfaces across = box("across", {1.6, 0.5, 0}, {0.4, 2.1, 1.3}, hasBottom);
+  const Surfaces along = boxOf("along", {0.7, 1.2, 0}, {2.3, 0.5, 0.8}, hasBottom);
+  const Surfaces across = boxOf("across", {1.6, 0.5, 0}, {0.4, 2.1, 1.3}, hasBottom);
   checkAreas(joined({room(), along, across}), {{"room0", floorArea - (2.3 * 0.5 + 0.4 * 2.1 - 0.4 * 0.5)},
                                                {"along0", 0},
                                                {"across0", 0},
@@ -345,36 +346,37 @@ TEST_CASE("discretize buries the part of a box that is sunk into the floor", "[e
   const double depth = GENERATE(1e-3, 0.02, 0.45, 0.85);
   CAPTURE(depth);
   const double height = 0.9 - depth;
-  checkAreas(joined({room(), box("box", {1.03, 0.71, -depth}, {1.1, 0.7, 0.9})}), {{"room0", floorArea - 1.1 * 0.7},
-                                                                                   {"box0", 0},
-                                                                                   {"box2", 0.7 * height},
-                                                                                   {"box3", 0.7 * height},
-                                                                                   {"box4", 1.1 * height},
-                                                                                   {"box5", 1.1 * height}});
+  checkAreas(joined({room(), boxOf("box", {1.03, 0.71, -depth}, {1.1, 0.7, 0.9})}), {{"room0", floorArea - 1.1 * 0.7},
+                                                                                     {"box0", 0},
+                                                                                     {"box2", 0.7 * height},
+                                                                                     {"box3", 0.7 * height},
+                                                                                     {"box4", 1.1 * height},
+                                                                                     {"box5", 1.1 * height}});
 }
 
 TEST_CASE("discretize buries nothing under a box that hovers", "[exposure]") {
-  checkNothingIsBuried(joined({room(), box("box", {1.03, 0.71, 1e-3 * glm::length(roomSize)}, {1.1, 0.7, 0.9})}));
-  checkNothingIsBuried(joined({roomOn(tessellatedFloor(8, 6)), box("box", {1, 1, 0.005}, {1, 1, 0.1})}));
+  checkNothingIsBuried(
+      joined({room(), boxOf("box", {1.03, 0.71, 1e-3 * glm::length(closedRoomSize)}, {1.1, 0.7, 0.9})}));
+  checkNothingIsBuried(joined({roomOn(tessellatedFloor(8, 6)), boxOf("box", {1, 1, 0.005}, {1, 1, 0.1})}));
 }
 
 TEST_CASE("discretize buries what thin boxes cover: a rug, and a picture on a wall", "[exposure]") {
   const bool hasBottom = GENERATE(true, false);
   const double thickness = GENERATE(1e-3, 0.01);
   CAPTURE(hasBottom, thickness);
-  checkAreas(joined({room(), box("rug", {1.2, 0.4, 0}, {1.7, 1.3, thickness}, hasBottom)}),
+  checkAreas(joined({room(), boxOf("rug", {1.2, 0.4, 0}, {1.7, 1.3, thickness}, hasBottom)}),
              {{"room0", floorArea - 1.7 * 1.3}, {"rug0", 0}});
   // On the wall y = 0, whose inside is room4; without and with the face that lies on it.
-  Surfaces picture = box("picture", {1.3, 0, 0.7}, {0.8, thickness, 0.6});
+  Surfaces picture = boxOf("picture", {1.3, 0, 0.7}, {0.8, thickness, 0.6});
   if (!hasBottom) picture.erase(picture.begin() + 4);
   checkAreas(joined({room(), picture}), {{"room4", 4 * 2 - 0.8 * 0.6}, {"picture4", 0}});
 }
 
 TEST_CASE("discretize buries the common area of stacked boxes", "[exposure]") {
   const bool hasBottom = GENERATE(true, false);
-  checkAreas(joined({room(), box("lower", {1, 0.7, 0}, {1.1, 0.9, 0.5}, hasBottom),
-                     box("middle", {1.2, 0.8, 0.5}, {0.7, 0.6, 0.3}, hasBottom),
-                     box("upper", {1.2, 0.9, 0.8}, {0.5, 0.5, 0.4}, hasBottom)}),
+  checkAreas(joined({room(), boxOf("lower", {1, 0.7, 0}, {1.1, 0.9, 0.5}, hasBottom),
+                     boxOf("middle", {1.2, 0.8, 0.5}, {0.7, 0.6, 0.3}, hasBottom),
+                     boxOf("upper", {1.2, 0.9, 0.8}, {0.5, 0.5, 0.4}, hasBottom)}),
              {{"room0", floorArea - 1.1 * 0.9},
               {"lower0", 0},
               {"lower1", 1.1 * 0.9 - 0.7 * 0.6},
@@ -382,16 +384,16 @@ TEST_CASE("discretize buries the common area of stacked boxes", "[exposure]") {
               {"middle1", 0.7 * 0.6 - 0.5 * 0.5},
               {"upper0", 0}});
   // The upper box sticks out, so that a part of its underside is exposed.
-  checkAreas(joined({room(), box("lower", {1, 0.7, 0}, {1, 1, 0.5}, hasBottom),
-                     box("upper", {1.7, 0.9, 0.5}, {0.8, 0.5, 0.4})}),
+  checkAreas(joined({room(), boxOf("lower", {1, 0.7, 0}, {1, 1, 0.5}, hasBottom),
+                     boxOf("upper", {1.7, 0.9, 0.5}, {0.8, 0.5, 0.4})}),
              {{"room0", floorArea - 1}, {"lower0", 0}, {"lower1", 1 - 0.3 * 0.5}, {"upper0", 0.5 * 0.5}});
 }
 
 TEST_CASE("discretize buries the common faces of books side by side", "[exposure]") {
   const bool hasBottom = GENERATE(true, false);
-  checkAreas(joined({room(), box("a", {1, 1, 0}, {0.05, 0.2, 0.3}, hasBottom),
-                     box("b", {1.05, 1, 0}, {0.04, 0.2, 0.25}, hasBottom),
-                     box("c", {1.09, 1.02, 0}, {0.06, 0.16, 0.28}, hasBottom)}),
+  checkAreas(joined({room(), boxOf("a", {1, 1, 0}, {0.05, 0.2, 0.3}, hasBottom),
+                     boxOf("b", {1.05, 1, 0}, {0.04, 0.2, 0.25}, hasBottom),
+                     boxOf("c", {1.09, 1.02, 0}, {0.06, 0.16, 0.28}, hasBottom)}),
              {{"room0", floorArea - (0.09 * 0.2 + 0.06 * 0.16)},
               {"a0", 0},
               {"b0", 0},
@@ -403,17 +405,17 @@ TEST_CASE("discretize buries the common faces of books side by side", "[exposure
 }
 
 TEST_CASE("discretize buries where a box touches two walls, and where one touches the ceiling", "[exposure]") {
-  checkAreas(joined({room(), box("box", {0, 0, 0}, {0.8, 0.6, 1.1})}), {{"room0", floorArea - 0.8 * 0.6},
-                                                                        {"room2", 3 * 2 - 0.6 * 1.1},
-                                                                        {"room4", 4 * 2 - 0.8 * 1.1},
-                                                                        {"box0", 0},
-                                                                        {"box2", 0},
-                                                                        {"box4", 0}});
-  Surfaces open = box("box", {0, 0, 0}, {0.8, 0.6, 1.1});
+  checkAreas(joined({room(), boxOf("box", {0, 0, 0}, {0.8, 0.6, 1.1})}), {{"room0", floorArea - 0.8 * 0.6},
+                                                                          {"room2", 3 * 2 - 0.6 * 1.1},
+                                                                          {"room4", 4 * 2 - 0.8 * 1.1},
+                                                                          {"box0", 0},
+                                                                          {"box2", 0},
+                                                                          {"box4", 0}});
+  Surfaces open = boxOf("box", {0, 0, 0}, {0.8, 0.6, 1.1});
   open = {open[1], open[3], open[5]};
   checkAreas(joined({room(), open}),
              {{"room0", floorArea - 0.8 * 0.6}, {"room2", 3 * 2 - 0.6 * 1.1}, {"room4", 4 * 2 - 0.8 * 1.1}});
-  checkAreas(joined({room(), box("box", {1.3, 0.9, 1.8}, {0.8, 0.6, 0.2})}),
+  checkAreas(joined({room(), boxOf("box", {1.3, 0.9, 1.8}, {0.8, 0.6, 0.2})}),
              {{"room1", floorArea - 0.8 * 0.6}, {"box1", 0}});
 }
 
@@ -421,7 +423,7 @@ TEST_CASE("discretize buries what a leaning box cuts out of the floor, and its p
   // A box of 1 x 0.7 x 0.9, tilted about an edge in y that lies 0.2 below the floor.
   const glm::dvec3 foot(1.2, 0.9, -0.2);
   const double cosine = 0.8, sine = 0.6;
-  const Surfaces leaning = transformed(box("box", foot, {1, 0.7, 0.9}), aboutY(cosine, -sine), foot);
+  const Surfaces leaning = transformed(boxOf("box", foot, {1, 0.7, 0.9}), aboutY(cosine, -sine), foot);
   // Cut by the floor at 0.2 / sine along the bottom, and at 0.2 / cosine along the left side.
   const double alongBottom = 0.2 / sine, alongSide = 0.2 / cosine;
   const double triangle = alongBottom * alongSide / 2;
@@ -461,7 +463,7 @@ TEST_CASE("discretize buries nothing where surfaces without thickness lie on eac
 }
 
 TEST_CASE("discretize buries nothing in two-sided scenes", "[exposure]") {
-  Surfaces surfaces = joined({room(), box("box", {1.03, 0.71, -0.1}, {1.1, 0.7, 0.9})});
+  Surfaces surfaces = joined({room(), boxOf("box", {1.03, 0.71, -0.1}, {1.1, 0.7, 0.9})});
   const std::size_t count = surfaces.size();
   surfaces = joined({surfaces, reversed(surfaces)});
   for (std::size_t s = 0; s < count; ++s) makeTwins(surfaces, s, s + count);
@@ -486,10 +488,10 @@ TEST_CASE("discretize buries nothing by sheets that are seen from one side", "[e
 
 TEST_CASE("discretize keeps the light that comes from inside a solid, and no other", "[exposure]") {
   const Surfaces surfaces = joined({room(),
-                                    box("lamp", {1, 1, 1.8}, {0.6, 0.5, 0.4}),
-                                    box("box", {2.6, 0.9, 0}, {0.8, 0.6, 0.3}),
+                                    boxOf("lamp", {1, 1, 1.8}, {0.6, 0.5, 0.4}),
+                                    boxOf("box", {2.6, 0.9, 0}, {0.8, 0.6, 0.3}),
                                     {tests::parallelogram("panel", {3.95, 0.8, 0.6}, {0, 0, 0.5}, {0, 0.9, 0})},
-                                    box("on-panel", {3.75, 1.1, 0.8}, {0.2, 0.3, 0.2})});
+                                    boxOf("on-panel", {3.75, 1.1, 0.8}, {0.2, 0.3, 0.2})});
   Scene scene = tests::sceneOf(surfaces);
   scene.materials = {tests::material("grey", glm::dvec3(0.5), glm::dvec3(0)),
                      tests::material("light", glm::dvec3(0), glm::dvec3(2))};
@@ -530,8 +532,9 @@ TEST_CASE("discretize never buries a light in the open", "[exposure]") {
 }
 
 TEST_CASE("discretize buries only footprints in a room whose surfaces are all touched", "[exposure]") {
-  const Surfaces surfaces = joined({room(), box("a", {0.5, 0.4, 0}, {0.4, 0.4, 2}),
-                                    box("b", {0, 1.3, 0.7}, {4, 0.3, 0.3}), box("c", {2.3, 0, 1.2}, {0.3, 3, 0.3})});
+  const Surfaces surfaces =
+      joined({room(), boxOf("a", {0.5, 0.4, 0}, {0.4, 0.4, 2}), boxOf("b", {0, 1.3, 0.7}, {4, 0.3, 0.3}),
+              boxOf("c", {2.3, 0, 1.2}, {0.3, 3, 0.3})});
   checkAreas(surfaces, {{"room0", floorArea - 0.16},
                         {"room1", floorArea - 0.16},
                         {"room2", 6 - 0.09},
@@ -553,11 +556,11 @@ TEST_CASE("discretize buries footprints outdoors, where there are no walls", "[e
   for (int j = 0; j < 4; ++j)
     for (int i = 0; i < 4; ++i) {
       const glm::dvec3 size(1.3 + 0.2 * i, 1.7 + 0.3 * j, 1 + i * j);
-      surfaces = joined(
-          {surfaces, box("tower" + std::to_string(4 * j + i) + "-", {-9 + 4.7 * i, -9 + 4.9 * j, 0}, size, hasBottom)});
+      surfaces = joined({surfaces, boxOf("tower" + std::to_string(4 * j + i) + "-", {-9 + 4.7 * i, -9 + 4.9 * j, 0},
+                                         size, hasBottom)});
       footprints += size.x * size.y;
     }
-  surfaces = joined({surfaces, box("lamp", {0, 0, 15}, {1, 1, 0.2})});
+  surfaces = joined({surfaces, boxOf("lamp", {0, 0, 15}, {1, 1, 0.2})});
   Areas areas{{"ground", 400 - footprints}};
   for (int i = 0; i < 16; ++i) areas["tower" + std::to_string(i) + "-0"] = 0;
   checkAreas(surfaces, areas);
@@ -565,7 +568,7 @@ TEST_CASE("discretize buries footprints outdoors, where there are no walls", "[e
 
 TEST_CASE("discretize gives elements and patches centres that are exposed", "[exposure]") {
   // The box stands on the middle of the floor, and on the middle of many texels.
-  const Scene scene = tests::sceneOf(joined({room(), box("box", {1.4, 1, 0}, {1.2, 1, 0.9})}));
+  const Scene scene = tests::sceneOf(joined({room(), boxOf("box", {1.4, 1, 0}, {1.2, 1, 0.9})}));
   for (const int texels : {1, 2, 3, 4, 7, 16}) {
     CAPTURE(texels);
     const Discretization discretization = discretize(scene, {.texels = texels});
@@ -590,7 +593,7 @@ TEST_CASE("patchCentre of a triangle that is one texel is its centroid", "[expos
 // All fronts have the same radiosity, so that light into the dark inside of the box would be missing.
 TEST_CASE("trueRadiosity of a furnace with a box on its floor is E over 1 minus r", "[exposure]") {
   const bool hasBottom = GENERATE(true, false);
-  const Scene scene = furnace(joined({room(), box("box", {1.03, 0.71, 0}, {1.1, 0.7, 0.9}, hasBottom)}));
+  const Scene scene = furnace(joined({room(), boxOf("box", {1.03, 0.71, 0}, {1.1, 0.7, 0.9}, hasBottom)}));
   const Discretization discretization = discretize(scene, {.texels = 4});
   const reference::TrueRadiosity truth = reference::trueRadiosity(scene, discretization, {1 << 10});
   double flux = 0, area = 0;
@@ -605,7 +608,7 @@ TEST_CASE("trueRadiosity of a furnace with a box on its floor is E over 1 minus 
 TEST_CASE("trueRadiosity of a box on a floor is that of a floor cut by hand", "[exposure]") {
   // Along texel borders, and through the middle of texels; both scenes have elements of the same shapes.
   const double depth = GENERATE(0.75, 0.375);
-  const Surfaces onFloor = box("box", {1, 0.75, 0}, {1, depth, 0.9}, false);
+  const Surfaces onFloor = boxOf("box", {1, 0.75, 0}, {1, depth, 0.9}, false);
   Surfaces around = room();
   Surfaces pieces;
   for (int j = 0; j < 4; ++j)
@@ -708,7 +711,7 @@ TEST_CASE("cutTexels subtracts many solids that stand on one texel", "[exposure]
   for (int i = 0; i < side * side; ++i) {
     const glm::dvec3 low(0.1 + 3.8 * (i % side) / side, 0.1 + 2.8 * (i / side) / side, 0);
     const glm::dvec3 size(0.05 + 0.001 * i, 0.15, 0.3);
-    const Surfaces faces = box("box" + std::to_string(i) + "-", low, size, false);
+    const Surfaces faces = boxOf("box" + std::to_string(i) + "-", low, size, false);
     surfaces.insert(surfaces.end(), faces.begin(), faces.end());
     buried += size.x * size.y;
   }
@@ -720,9 +723,9 @@ TEST_CASE("cutTexels subtracts many solids that stand on one texel", "[exposure]
 TEST_CASE("separatedAtWalls makes one surface per side of a wall that reaches from border to border", "[exposure]") {
   const bool isSheet = GENERATE(false, true);
   const double thickness = isSheet ? 0 : 0.08;
-  Surfaces wall = box("wall", {1.97, 0, 0}, {0.08, 3, 2});
+  Surfaces wall = boxOf("wall", {1.97, 0, 0}, {0.08, 3, 2});
   if (isSheet) wall = Surfaces(1, tests::parallelogram("wall", {1.97, 0, 0}, {0, 3, 0}, {0, 0, 2}));
-  const Scene whole = tests::sceneOf(joined({room(), wall, box("leg", {3, 1, 0}, {0.1, 0.1, 0.7})}));
+  const Scene whole = tests::sceneOf(joined({room(), wall, boxOf("leg", {3, 1, 0}, {0.1, 0.1, 0.7})}));
   const Scene scene = separatedAtWalls(whole);
   CHECK(scene.surfaces.size() == whole.surfaces.size() + 4);
   const double left = 1.97, right = 4 - 1.97 - thickness;
@@ -757,29 +760,29 @@ TEST_CASE("separatedAtWalls keeps surfaces that objects do not divide, and the a
     return sum;
   };
   // A wall with an end inside the room, one that ends below the ceiling, and a frame around a part of the floor.
-  const Scene open = tests::sceneOf(joined({room(), box("wall", {1.97, 0, 0}, {0.08, 2.9, 1.9})}));
+  const Scene open = tests::sceneOf(joined({room(), boxOf("wall", {1.97, 0, 0}, {0.08, 2.9, 1.9})}));
   CHECK(separatedAtWalls(open).surfaces.size() == open.surfaces.size());
-  const Scene low = tests::sceneOf(joined({room(), box("wall", {1.97, 0, 0}, {0.08, 3, 1.9})}));
+  const Scene low = tests::sceneOf(joined({room(), boxOf("wall", {1.97, 0, 0}, {0.08, 3, 1.9})}));
   CHECK(separatedAtWalls(low).surfaces.size() == low.surfaces.size() + 1);
   const Scene framed =
-      tests::sceneOf(joined({room(), box("a", {1, 1, 0}, {1, 0.1, 1}), box("b", {1, 1.9, 0}, {1, 0.1, 1}),
-                             box("c", {1, 1.1, 0}, {0.1, 0.8, 1}), box("d", {1.9, 1.1, 0}, {0.1, 0.8, 1})}));
+      tests::sceneOf(joined({room(), boxOf("a", {1, 1, 0}, {1, 0.1, 1}), boxOf("b", {1, 1.9, 0}, {1, 0.1, 1}),
+                             boxOf("c", {1, 1.1, 0}, {0.1, 0.8, 1}), boxOf("d", {1.9, 1.1, 0}, {0.1, 0.8, 1})}));
   const Scene separated = separatedAtWalls(framed);
   CHECK(separated.surfaces.size() == framed.surfaces.size() + 1);
   CHECK(exposedArea(discretize(separated, {.texels = 5}), numberOf(separated, "room0#2")) == Approx(0.8 * 0.8));
   CHECK(areaOfAll(separated) == Approx(areaOfAll(framed)));
   const Scene rotated = tests::sceneOf(joined(
-      {room(), transformed(box("wall", {1.97, -3, 0}, {0.08, 9, 2}), aboutZ(12.0 / 13, -5.0 / 13), {2, 1.4, 0})}));
+      {room(), transformed(boxOf("wall", {1.97, -3, 0}, {0.08, 9, 2}), aboutZ(12.0 / 13, -5.0 / 13), {2, 1.4, 0})}));
   CHECK(areaOfAll(separatedAtWalls(rotated)) == Approx(areaOfAll(rotated)));
   CHECK(separatedAtWalls(rotated).surfaces.size() == rotated.surfaces.size() + 4);
 }
 
 TEST_CASE("separatedAtWalls finds the sides of a wall among many objects, which it cuts in cells", "[exposure]") {
-  Surfaces all = joined({room(), box("wall", {1.97, 0, 0}, {0.08, 3, 2})});
+  Surfaces all = joined({room(), boxOf("wall", {1.97, 0, 0}, {0.08, 3, 2})});
   constexpr int rows = 18;
   for (int i = 0; i < rows; ++i)
     for (int j = 0; j < rows; ++j) {
-      const Surfaces leg = box("leg", {2.1 + 0.1 * i, 0.05 + 0.16 * j, 0}, {0.05, 0.07, 0.7});
+      const Surfaces leg = boxOf("leg", {2.1 + 0.1 * i, 0.05 + 0.16 * j, 0}, {0.05, 0.07, 0.7});
       all.insert(all.end(), leg.begin(), leg.end());
     }
   const Scene whole = tests::sceneOf(all), scene = separatedAtWalls(whole);

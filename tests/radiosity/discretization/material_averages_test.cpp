@@ -58,7 +58,7 @@ bool areClose(const glm::dvec3& a, const glm::dvec3& b, double tolerance) {
   return glm::length(a - b) <= tolerance * glm::length(b);
 }
 
-const std::array<glm::dvec3, 4> unitSquare{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}};
+const std::array<glm::dvec3, 4> squareCorners{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}};
 
 }  // namespace
 
@@ -104,7 +104,7 @@ TEST_CASE("meansOfMap clamps, mirrors and moves texture coordinates as the sampl
 
 TEST_CASE("meansOfMap of an image with one pixel per texel gives each element its pixel, top row at v = 1", "[maps]") {
   const Image image = randomImage(5, 5, 1);
-  const std::vector<glm::dvec3> mean = averages(shownOn(quad("q", unitSquare), image), 5);
+  const std::vector<glm::dvec3> mean = averages(shownOn(quad("q", squareCorners), image), 5);
   for (int row = 0; row < 5; ++row)
     for (int column = 0; column < 5; ++column)
       CHECK(areClose(mean[std::size_t(row * 5 + column)], image.pixels[std::size_t((4 - row) * 5 + column)], 1e-14));
@@ -113,7 +113,7 @@ TEST_CASE("meansOfMap of an image with one pixel per texel gives each element it
 TEST_CASE("meansOfMap splits an element by area at a pixel's border", "[maps]") {
   // Three columns of pixels, 0, 3 and 9, over two elements: 2/3 of 0 and 1/3 of 3; 1/3 of 3 and 2/3 of 9.
   const Image image{3, 1, {glm::dvec3(0), glm::dvec3(3), glm::dvec3(9)}};
-  const std::vector<glm::dvec3> mean = averages(shownOn(quad("q", unitSquare), image), 2);
+  const std::vector<glm::dvec3> mean = averages(shownOn(quad("q", squareCorners), image), 2);
   for (const std::size_t row : {std::size_t{0}, std::size_t{2}}) {
     CHECK(mean[row].x == Approx(1).epsilon(1e-14));
     CHECK(mean[row + 1].x == Approx(7).epsilon(1e-14));
@@ -134,7 +134,7 @@ TEST_CASE("meansOfMap keeps the flux of a painted light at all discretizations",
 TEST_CASE("meansOfMap does not miss a single bright pixel of a large image", "[maps]") {
   Image image{512, 512, std::vector<glm::dvec3>(std::size_t{512} * 512)};
   image.pixels[100 * 512 + 300] = glm::dvec3(512.0 * 512.0);
-  CHECK(areClose(flux(shownOn(quad("q", unitSquare), image), 4), glm::dvec3(1), 1e-12));
+  CHECK(areClose(flux(shownOn(quad("q", squareCorners), image), 4), glm::dvec3(1), 1e-12));
 }
 
 TEST_CASE("meansOfMap repeats textures: coordinates moved by whole tiles show the same", "[maps]") {
@@ -151,7 +151,7 @@ TEST_CASE("meansOfMap of a tiled image gives its mean over elements of whole til
   // Up to 1e9 x 1e9 tiles: the image is halved to a single pixel before that many are clipped.
   const Image image = randomImage(6, 5, 4);
   for (const double tiles : {4.0, 400.0, 4000.0, 1e9}) {
-    Surface surface = quad("q", unitSquare);
+    Surface surface = quad("q", squareCorners);
     scaleTexcoords(surface, {tiles, tiles}, {0, 0});
     INFO(tiles << " tiles");
     for (const glm::dvec3& mean : averages(shownOn(surface, image), 2)) CHECK(areClose(mean, meanOf(image), 1e-9));
@@ -175,7 +175,7 @@ TEST_CASE("halved keeps the mean of an image, and averages pairs of pixels for e
 }
 
 TEST_CASE("averageMaps multiplies a reflectance map by Kd and stays below 1", "[maps]") {
-  Scene scene = sceneOf({quad("q", unitSquare)});
+  Scene scene = sceneOf({quad("q", squareCorners)});
   scene.materials[0].reflectance = {0.5, 0.9999, 0.25};
   scene.materials[0].reflectanceMap = 0;
   scene.images = {Image{1, 1, {{0.5, 2, 1}}}};
@@ -186,7 +186,7 @@ TEST_CASE("averageMaps multiplies a reflectance map by Kd and stays below 1", "[
 }
 
 TEST_CASE("averageMaps keeps the material's values of surfaces without a map beside one with a map", "[maps]") {
-  Scene scene = sceneOf({quad("plain", unitSquare), quad("mapped", unitSquare)});
+  Scene scene = sceneOf({quad("plain", squareCorners), quad("mapped", squareCorners)});
   scene.materials.resize(2);
   scene.materials[0].emission = {1, 2, 3};
   scene.materials[1].emission = {10, 10, 10};

@@ -41,7 +41,7 @@ double heightOver(const Triangle& triangle, const glm::dvec3& point) {
 }
 
 /// The distance of a point from a triangle, in its plane.
-double distanceTo(const Triangle& triangle, const glm::dvec3& point) {
+double distanceInPlane(const Triangle& triangle, const glm::dvec3& point) {
   const glm::dvec3 n = normal(triangle);
   double distance = 0;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -110,7 +110,7 @@ TEST_CASE("triangleSlices finds the slices that a search through all pairs finds
         const auto liesOnOther = [&](const Slice& slice) {
           for (const glm::dvec2& end : {slice.from, slice.to}) {
             const glm::dvec3 point = pointAt(one, end);
-            if (heightOver(other, point) > 1.01 * lift || distanceTo(other, point) > 257 * lift) return false;
+            if (heightOver(other, point) > 1.01 * lift || distanceInPlane(other, point) > 257 * lift) return false;
           }
           return true;
         };
@@ -121,7 +121,8 @@ TEST_CASE("triangleSlices finds the slices that a search through all pairs finds
         if (expected < -100 * tolerance) REQUIRE_FALSE(isFound);
         if (!isFound) continue;
         CHECK(lengthOf(one, *next) == Approx(expected).epsilon(0).margin(100 * tolerance));
-        for (const glm::dvec2& end : {next->from, next->to}) CHECK(distanceTo(one, pointAt(one, end)) < 2 * tolerance);
+        for (const glm::dvec2& end : {next->from, next->to})
+          CHECK(distanceInPlane(one, pointAt(one, end)) < 2 * tolerance);
         ++explained;
         ++found;
       }

@@ -61,7 +61,7 @@ std::vector<raster::Scissor> quarters(const raster::Scissor& whole) {
 }
 
 /// An open scene with holes, slivers and backs.
-Scene mixedScene() {
+Scene openRoom() {
   Scene scene = tests::furnishedRoom();
   scene.surfaces.erase(scene.surfaces.begin() + 1);
   return tests::finish(std::move(scene));
@@ -70,7 +70,7 @@ Scene mixedScene() {
 }  // namespace
 
 TEST_CASE("ItemBufferSum equals a sum pixel by pixel, for all windows and any number of threads", "[rows]") {
-  tests::HemicubeWorld world(mixedScene(), 20, 4);
+  tests::HemicubeWorld world(openRoom(), 20, 4);
   std::mt19937 random(3);
   ItemBufferSum counter(world.discretization, world.layout);
   for (const int resolution : {16, 64, 200})

@@ -22,7 +22,7 @@ namespace {
 
 constexpr int directions = 2048;
 
-Scene sceneWith(std::vector<Surface> surfaces, OutsideLight outside) {
+Scene sceneUnder(std::vector<Surface> surfaces, OutsideLight outside) {
   Scene scene;
   scene.materials = {tests::material("grey", glm::dvec3(0.5), glm::dvec3(0))};
   scene.surfaces = std::move(surfaces);
@@ -39,11 +39,12 @@ OutsideFlux fluxIn(tests::HemicubeWorld& world) {
   return outsideFlux(world.scene, world.discretization, world.layout, world.renderer, {.directions = directions});
 }
 
-struct Lit {
+struct LitFromOutside {
   tests::HemicubeWorld world;
   OutsideFlux flux;
 
-  Lit(Scene scene, const DiscretizationSettings& settings) : world(std::move(scene), settings), flux(fluxIn(world)) {}
+  LitFromOutside(Scene scene, const DiscretizationSettings& settings)
+      : world(std::move(scene), settings), flux(fluxIn(world)) {}
 
   double area(std::size_t element) const { return world.discretization.elements[element].area; }
   double irradiance(std::size_t element) const { return flux.received[element][0] / area(element); }
@@ -94,8 +95,9 @@ TEST_CASE("outsideFlux lights an open plane with the irradiance of the sky, and 
   for (const glm::dvec3& normal :
        {glm::dvec3(0, 0, 1), glm::dvec3(0, 1, 0), glm::dvec3(-1, 0, 0), glm::dvec3(0.6, -0.5, 0.2)}) {
     const glm::dvec3 n = glm::normalize(normal), u = glm::normalize(glm::cross(n, glm::dvec3(0.3, 0.4, 0.9)));
-    const Lit lit(sceneWith({tests::parallelogram("plane", {5, 6, 7}, 2.0 * u, glm::cross(n, u))}, sky({3, 2, 1})),
-                  {.texels = 8});
+    const LitFromOutside lit(
+        sceneUnder({tests::parallelogram("plane", {5, 6, 7}, 2.0 * u, glm::cross(n, u))}, sky({3, 2, 1})),
+        {.texels = 8});
     double largest = 0;
     for (std::size_t e = 0; e < lit.flux.received.size(); ++e)
       largest = std::max(largest, std::abs(lit.irradiance(e) / 3 - 1));
@@ -107,7 +109,8 @@ TEST_CASE("outsideFlux lights an open plane with the irradiance of the sky, and 
 }
 
 TEST_CASE("outsideFlux lights every side of a box with the whole sky", "[outside_flux]") {
-  const Lit lit(sceneWith(tests::box("box", {1, 2, 3}, {1, 2, 0.5}, false), sky(glm::dvec3(1))), {.texels = 6});
+  const LitFromOutside lit(sceneUnder(tests::box("box", {1, 2, 3}, {1, 2, 0.5}, false), sky(glm::dvec3(1))),
+                           {.texels = 6});
   for (std::size_t side = 0; side < 6; ++side) CHECK(lit.ofSurface(side) == Approx(1).epsilon(0.004));
   CHECK(lit.flux.onBacks[0] < 1e-3);
 }
@@ -115,7 +118,7 @@ TEST_CASE("outsideFlux lights every side of a box with the whole sky", "[outside
 TEST_CASE("outsideFlux lights the floor of an open box by its form factor to the opening", "[outside_flux]") {
   std::vector<Surface> surfaces = tests::box("box", {0, 0, 0}, {3, 2, 1.5}, true);
   surfaces.erase(surfaces.begin() + 1);
-  const Lit lit(sceneWith(std::move(surfaces), sky(glm::dvec3(1))), {.texels = 15});
+  const LitFromOutside lit(sceneUnder(std::move(surfaces), sky(glm::dvec3(1))), {.texels = 15});
   CHECK(lit.ofSurface(0) == Approx(tests::parallelRectangles({{0, 3}, {0, 2}}, {{0, 3}, {0, 2}}, 1.5)).epsilon(0.004));
   // The element in the middle is small enough to compare with the form factor of its centre.
   CHECK(lit.irradiance(7 * 15 + 7) ==
@@ -130,20 +133,21 @@ TEST_CASE("outsideFlux lights the floor of an open box by its form factor to the
 TEST_CASE("outsideFlux brings nothing into a closed room", "[outside_flux]") {
   OutsideLight outside = sun({1, 2, 3}, glm::dvec3(5));
   outside.sky = glm::dvec3(1);
-  const Lit lit(sceneWith(tests::box("room", {0, 0, 0}, {4, 3, 2}, true), outside), {.texels = 8});
+  const LitFromOutside lit(sceneUnder(tests::box("room", {0, 0, 0}, {4, 3, 2}, true), outside), {.texels = 8});
   CHECK(areZero(lit.flux.received.values));
   CHECK(lit.flux.onBacks[0] > 52);
 }
 
 TEST_CASE("outsideFlux lights a plane by the sun with the cosine of its incidence", "[outside_flux]") {
   for (const glm::dvec3& towards : {glm::dvec3(0, 0, 1), glm::dvec3(1, 0, 1), glm::dvec3(-2, 5, 0.7)}) {
-    const Lit lit(sceneWith({tests::parallelogram("plane", {0, 0, 0}, {1, 0, 0}, {0, 1, 0})}, sun(towards, {4, 2, 1})),
-                  {.texels = 8});
+    const LitFromOutside lit(
+        sceneUnder({tests::parallelogram("plane", {0, 0, 0}, {1, 0, 0}, {0, 1, 0})}, sun(towards, {4, 2, 1})),
+        {.texels = 8});
     CHECK(lit.ofSurface(0) == Approx(4 * glm::normalize(towards).z).epsilon(0.003));
     CHECK(areZero(lit.flux.onBacks));
   }
-  const Lit below(
-      sceneWith({tests::parallelogram("plane", {0, 0, 0}, {1, 0, 0}, {0, 1, 0})}, sun({0, 1, -1}, {4, 2, 1})),
+  const LitFromOutside below(
+      sceneUnder({tests::parallelogram("plane", {0, 0, 0}, {1, 0, 0}, {0, 1, 0})}, sun({0, 1, -1}, {4, 2, 1})),
       {.texels = 8});
   CHECK(areZero(sumOf(below.flux)));
   CHECK(below.flux.onBacks[1] == Approx(2 * std::sqrt(0.5)).epsilon(0.003));
@@ -151,10 +155,10 @@ TEST_CASE("outsideFlux lights a plane by the sun with the cosine of its incidenc
 
 TEST_CASE("outsideFlux shows the edges of a shadow under the sun", "[outside_flux]") {
   // A square of side 1 at height 1 over the floor; the sun shines along (1, 0, 1), so that its shadow lies at x - 1.
-  const Lit lit(sceneWith({tests::parallelogram("floor", {-4, -2, 0}, {8, 0, 0}, {0, 4, 0}),
-                           tests::parallelogram("roof", {0.05, -0.3, 1}, {1, 0, 0}, {0, 1, 0})},
-                          sun({1, 0, 1}, glm::dvec3(std::sqrt(2)))),
-                {.surfaceTexels = {{"floor", {80, 40}}, {"roof", 4}}});
+  const LitFromOutside lit(sceneUnder({tests::parallelogram("floor", {-4, -2, 0}, {8, 0, 0}, {0, 4, 0}),
+                                       tests::parallelogram("roof", {0.05, -0.3, 1}, {1, 0, 0}, {0, 1, 0})},
+                                      sun({1, 0, 1}, glm::dvec3(std::sqrt(2)))),
+                           {.surfaceTexels = {{"floor", {80, 40}}, {"roof", 4}}});
   const auto overlap = [](double low, double high, double from, double to) {
     return std::max(0.0, std::min(high, to) - std::max(low, from)) / (to - from);
   };
@@ -174,7 +178,7 @@ TEST_CASE("outsideFlux shows the edges of a shadow under the sun", "[outside_flu
 }
 
 TEST_CASE("outsideFlux agrees with rays on a floor with blocks", "[outside_flux]") {
-  const Lit lit(sceneWith(blocksOnFloor(), sky(glm::dvec3(1))), {.texels = 10});
+  const LitFromOutside lit(sceneUnder(blocksOnFloor(), sky(glm::dvec3(1))), {.texels = 10});
   const Discretization& discretization = lit.world.discretization;
   const reference::RayFormFactors factors(lit.world.scene, discretization);
   const reference::Receivers elements = reference::everyElement(discretization);
@@ -198,11 +202,11 @@ TEST_CASE("outsideFlux lights elements that are smaller than a pixel", "[outside
   };
   OutsideLight outside = sun({0, 0, 1}, glm::dvec3(2));
   outside.sky = glm::dvec3(1);
-  const Lit lit(sceneWith({tests::parallelogram("floor", {-2, -2, 0}, {4, 0, 0}, {0, 4, 0}),
-                           tests::parallelogram("roof", {-1, -1, 0.01}, {1, 0, 0}, {0, 1, 0}),
-                           chip("dark", {-0.5, -0.5, 0.002}), chip("open", {1, 1, 0.002})},
-                          outside),
-                {.surfaceTexels = {{"floor", 32}, {"roof", 8}, {"dark", 1}, {"open", 1}}});
+  const LitFromOutside lit(sceneUnder({tests::parallelogram("floor", {-2, -2, 0}, {4, 0, 0}, {0, 4, 0}),
+                                       tests::parallelogram("roof", {-1, -1, 0.01}, {1, 0, 0}, {0, 1, 0}),
+                                       chip("dark", {-0.5, -0.5, 0.002}), chip("open", {1, 1, 0.002})},
+                                      outside),
+                           {.surfaceTexels = {{"floor", 32}, {"roof", 8}, {"dark", 1}, {"open", 1}}});
   CHECK(lit.ofSurface(2) < 0.001);
   CHECK(lit.ofSurface(3) == Approx(3).epsilon(0.01));
 }
@@ -213,7 +217,7 @@ TEST_CASE("outsideFlux lights both sides of two-sided sheets", "[outside_flux]")
   makeTwins(surfaces, 0, 1);
   OutsideLight outside = sun({0, 0, 1}, glm::dvec3(2));
   outside.sky = glm::dvec3(1);
-  const Lit lit(sceneWith(std::move(surfaces), outside), {.texels = 4});
+  const LitFromOutside lit(sceneUnder(std::move(surfaces), outside), {.texels = 4});
   CHECK(lit.ofSurface(0) == Approx(3).epsilon(0.004));
   CHECK(lit.ofSurface(1) == Approx(1).epsilon(0.004));
   CHECK(areZero(lit.flux.onBacks));
@@ -222,7 +226,7 @@ TEST_CASE("outsideFlux lights both sides of two-sided sheets", "[outside_flux]")
 TEST_CASE("outsideFlux has the same bits for any number of threads, and for textures and meshes", "[outside_flux]") {
   OutsideLight outside = sun({1, 2, 3}, glm::dvec3(5));
   outside.sky = {1, 2, 3};
-  tests::HemicubeWorld world(sceneWith(blocksOnFloor(), outside), 8, 4);
+  tests::HemicubeWorld world(sceneUnder(blocksOnFloor(), outside), 8, 4);
   const OutsideFlux flux = fluxIn(world);
   const raster::ThreadLimit one(1);
   const OutsideFlux again = fluxIn(world);
@@ -235,7 +239,7 @@ TEST_CASE("outsideFlux has the same bits for any number of threads, and for text
 }
 
 TEST_CASE("outsideFlux is empty without light from outside", "[outside_flux]") {
-  const Lit lit(sceneWith(blocksOnFloor(), {}), {.texels = 2});
+  const LitFromOutside lit(sceneUnder(blocksOnFloor(), {}), {.texels = 2});
   CHECK(lit.flux.received.empty());
   CHECK(sumOf(lit.flux).empty());
 }
@@ -248,7 +252,7 @@ TEST_CASE("Light from outside counts where it is enclosed", "[outside flux]") {
     if (!isClosed)
       std::erase_if(surfaces, [](const Surface& surface) { return normal(surface.triangles[0]).z < -0.5; });
     if (hasRoof) surfaces.push_back(tests::parallelogram("roof", {-10, -10, 9}, {20, 0, 0}, {0, 20, 0}));
-    const Scene scene = sceneWith(std::move(surfaces), sky(glm::dvec3(1)));
+    const Scene scene = sceneUnder(std::move(surfaces), sky(glm::dvec3(1)));
     Discretization discretization = discretize(scene, {.texels = 8});
     return SceneFormFactors(scene, discretization, layOut(discretization), {.resolution = 64}).outsideFlux().counted;
   };

@@ -17,7 +17,7 @@ namespace {
 
 using World = tests::HemicubeWorld;
 
-std::uint64_t sum(const FormFactorRow& row) {
+std::uint64_t sumOfRow(const FormFactorRow& row) {
   return std::accumulate(row.shares.begin(), row.shares.end(), row.background + row.back);
 }
 
@@ -50,7 +50,7 @@ TEST_CASE("ProjectedFormFactors in a closed room give rows of exactly one, from 
   ProjectedFormFactors rows = world.rows(64);
   for (std::uint32_t patch = 0; patch < world.discretization.patches.list.size(); ++patch) {
     const FormFactorRow row = rows.ofPatch(world.discretization.patches.list[patch]);
-    CHECK(sum(row) == wholeShare);
+    CHECK(sumOfRow(row) == wholeShare);
     CHECK(row.background == 0);
     CHECK(row.back == 0);
     CHECK(toSurface(world, row, world.scene.surfaces[world.discretization.patches.list[patch].surface].name) == 0);
@@ -63,7 +63,7 @@ TEST_CASE("ProjectedFormFactors in an open room give rows whose background is th
   World world(tests::finish(scene), 4, 4);
   const FormFactorRow row =
       world.rows(256).ofPatch(world.discretization.patches.list[2]);  // the one patch of the floor, from its centre
-  CHECK(sum(row) == wholeShare);
+  CHECK(sumOfRow(row) == wholeShare);
   // The missing ceiling is a parallel unit square over the floor's centre, at distance one: four times the corner form
   // with sides of one half. Its outline passes between pixels of R = 256, so that the integrals of pixels add up to it.
   CHECK(formFactor(row.background) == Approx(4 * toParallel(0.5, 0.5)).epsilon(1e-12));
@@ -108,7 +108,7 @@ TEST_CASE("ProjectedFormFactors count the back of a blocker as back, not as an e
       tests::quad("blocker", {{{0.25, 0.5, 0.25}, {0.25, 0.5, 0.75}, {0.75, 0.5, 0.75}, {0.75, 0.5, 0.25}}}));
   World world(tests::finish(scene), 4, 4);
   const FormFactorRow row = world.rows(256).ofPatch(world.discretization.patches.list[2]);
-  CHECK(sum(row) == wholeShare);
+  CHECK(sumOfRow(row) == wholeShare);
   // From the centre of the floor: half-width 0.25 at distance 0.5, again with an outline between pixels.
   CHECK(formFactor(row.back) == Approx(4 * toParallel(0.5, 0.5)).epsilon(1e-12));
   CHECK(toSurface(world, row, "blocker") == 0);
@@ -121,7 +121,7 @@ TEST_CASE("ProjectedFormFactors with a cubic tetrahedron in a closed room give r
                             {64, Orientation::Turned, ProjectionKind::CubicTetrahedron});
   for (std::uint32_t patch = 0; patch < world.discretization.patches.list.size(); ++patch) {
     const FormFactorRow row = rows.ofPatch(world.discretization.patches.list[patch]);
-    CHECK(sum(row) == wholeShare);
+    CHECK(sumOfRow(row) == wholeShare);
     CHECK(row.background == 0);
     CHECK(row.back == 0);
     CHECK(std::find(row.shares.begin(), row.shares.end(), 0) == row.shares.end());
@@ -135,7 +135,7 @@ TEST_CASE("ProjectedFormFactors with a single plane in a closed room count the l
   ProjectedFormFactors rows(world.scene, world.discretization, world.layout, world.renderer,
                             {64, Orientation::Turned, ProjectionKind::SinglePlane});
   const FormFactorRow row = rows.ofPatch(world.discretization.patches.list[9]);
-  CHECK(sum(row) == wholeShare);
+  CHECK(sumOfRow(row) == wholeShare);
   CHECK(row.background == wholeShare - rows.projection().captured);
   CHECK(row.back == 0);
   // Closed form of a square of half-width 4 at distance 1.

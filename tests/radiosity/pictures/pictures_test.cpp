@@ -22,7 +22,7 @@ using namespace hemitex::tests;
 namespace {
 
 /// Sees the quad of fillingQuad from edge to edge.
-const Camera straight{{0, 0, 1}, {0, 0, 0}, {0, 1, 0}, 90};
+const Camera ahead{{0, 0, 1}, {0, 0, 0}, {0, 1, 0}, 90};
 
 Surface fillingQuad() { return parallelogram("quad", {-1, -1, 0}, {2, 0, 0}, {0, 2, 0}); }
 
@@ -73,7 +73,7 @@ TEST_CASE("drawPicture shows the background where it sees no surface, and averag
   const Scene scene = sceneOf({parallelogram("left", {-1, -1, 0}, {1.0 + 1.0 / 16, 0, 0}, {0, 2, 0}), farAway()});
   const glm::dvec3 sky(0.25, 0.5, 1);
   const Image picture = drawPicture(
-      scene, straight, 16, 16, [](const Visible&) { return glm::dvec3(1, 0, 0); }, sky);
+      scene, ahead, 16, 16, [](const Visible&) { return glm::dvec3(1, 0, 0); }, sky);
   CHECK(pixelAt(picture, 7, 3) == red);
   CHECK(pixelAt(picture, 8, 3) == (red + sky) / 2.0);
   CHECK(pixelAt(picture, 9, 3) == sky);
@@ -91,7 +91,7 @@ TEST_CASE("drawPicture takes sixteen samples of pixels that an edge crosses", "[
   Surface surface = parallelogram("left", {-3, -1, 0}, {2.9, 0, 0}, {0.3, 2, 0});
   surface.triangles.insert(surface.triangles.end(), right.triangles.begin(), right.triangles.end());
   const Scene scene = sceneOf({surface}, {Material{}});
-  const Image image = drawPicture(scene, straight, 16, 16,
+  const Image image = drawPicture(scene, ahead, 16, 16,
                                   [](const Visible& visible) { return glm::dvec3(visible.triangle < 2 ? 1.0 : 0.0); });
   std::set<double> levels;
   for (int row = 0; row < 16; ++row)
@@ -113,7 +113,7 @@ TEST_CASE("skyColour is the sky's irradiance times the exposure, at most 1", "[p
 TEST_CASE("unlitPicture shows a texture upright and not mirrored", "[picture]") {
   // Row 0 of an image is its top, v = 0 its bottom: red is in the upper left, where u = 0 and v = 1. The middle of
   // pixel 16 of 66 is that of the first texel, and its samples lie 1/264 of the map beside it.
-  const Image picture = unlitPicture(mappedScene({2, 2, {red, green, blue, yellow}}), straight, 66, 66);
+  const Image picture = unlitPicture(mappedScene({2, 2, {red, green, blue, yellow}}), ahead, 66, 66);
   CHECK(glm::distance(pixelAt(picture, 16, 16), red) < 0.03);
   CHECK(glm::distance(pixelAt(picture, 49, 16), green) < 0.03);
   CHECK(glm::distance(pixelAt(picture, 16, 49), blue) < 0.03);
@@ -145,7 +145,7 @@ TEST_CASE("unlitColour repeats the map for coordinates far outside", "[picture]"
 TEST_CASE("unlitPicture shows Kd without a map, and black for the background", "[picture]") {
   Scene scene = sceneOf({parallelogram("half", {-1, -1, 0}, {1, 0, 0}, {0, 2, 0}), farAway()});
   scene.materials[0].reflectance = {0.25, 0.5, 0.75};
-  const Image picture = unlitPicture(scene, straight, 8, 8);
+  const Image picture = unlitPicture(scene, ahead, 8, 8);
   for (int row = 0; row < 8; ++row)
     for (int column = 0; column < 8; ++column)
       CHECK(pixelAt(picture, column, row) == (column < 4 ? glm::dvec3(0.25, 0.5, 0.75) : glm::dvec3(0.0)));
@@ -157,7 +157,7 @@ TEST_CASE("elementPicture shows one value per element, v upwards", "[picture]") 
   addGrid(discretization, 2, 2);
   addGrid(discretization, 1, 1);
   const std::vector<glm::dvec3> values{blue, yellow, red, green, glm::dvec3(9.0)};
-  const Image picture = elementPicture(scene, discretization, valuesIn(values), straight, 8, 8);
+  const Image picture = elementPicture(scene, discretization, valuesIn(values), ahead, 8, 8);
   for (int row = 0; row < 8; ++row)
     for (int column = 0; column < 8; ++column)
       CHECK(pixelAt(picture, column, row) == (row < 4 ? (column < 4 ? red : green) : (column < 4 ? blue : yellow)));
@@ -165,7 +165,7 @@ TEST_CASE("elementPicture shows one value per element, v upwards", "[picture]") 
 
 TEST_CASE("drawPicture throws InputError for a picture that is too large", "[picture]") {
   const Scene scene = makeRoom();
-  CHECK_THROWS_AS(unlitPicture(scene, straight, 2049, 1), raster::InputError);
+  CHECK_THROWS_AS(unlitPicture(scene, ahead, 2049, 1), raster::InputError);
 }
 
 TEST_CASE("indexMapImage gives adjacent texels different levels", "[picture]") {
@@ -188,7 +188,7 @@ TEST_CASE("indexMapPicture of a quad is the index map, v upwards", "[picture]") 
   addGrid(discretization, 4, 2);
   addGrid(discretization, 1, 1);
   const IdLayout layout = layOut(discretization, {"r8g8b8", raster::Blend::ClampedAdd, true});
-  const Image seen = indexMapPicture(scene, discretization, layout, straight, 16, 16);
+  const Image seen = indexMapPicture(scene, discretization, layout, ahead, 16, 16);
   const Image map = indexMapImage(4, 2, 1);
   CHECK(codesAt(map, 0, 1) == glm::ivec3(15));  // texel 0 is in the lower left, and the darkest
   for (int row = 0; row < 16; ++row)
@@ -219,7 +219,7 @@ TEST_CASE("blendErrorPicture shows and counts the errors of a clamped add with u
   addGrid(discretization, 4, 4);
   const glm::ivec3 magenta(255, 0, 255);
   const auto errorsOf = [&](const IdSettings& ids) {
-    return blendErrorPicture(scene, discretization, layOut(discretization, ids), straight, 16, 16);
+    return blendErrorPicture(scene, discretization, layOut(discretization, ids), ahead, 16, 16);
   };
   const BlendErrors errors = errorsOf({"r8g8b8", raster::Blend::ClampedAdd, false});
   CHECK(errors.pixels == 10 * 16);
@@ -260,11 +260,11 @@ TEST_CASE("offsetPicture gives packed surfaces the hue of their page, and indexM
 
 TEST_CASE("wireframePicture shows polygons, not their triangles", "[picture]") {
   const Scene whole = sceneOf({fillingQuad(), farAway()});
-  for (const glm::dvec3& pixel : wireframePicture(whole, straight, 16, 16).pixels) REQUIRE(pixel == glm::dvec3(1.0));
+  for (const glm::dvec3& pixel : wireframePicture(whole, ahead, 16, 16).pixels) REQUIRE(pixel == glm::dvec3(1.0));
 
   Surface cut = fillingQuad();
   cut.triangles[1].polygon = 1;
-  const Image diagonal = wireframePicture(sceneOf({cut, farAway()}), straight, 16, 16);
+  const Image diagonal = wireframePicture(sceneOf({cut, farAway()}), ahead, 16, 16);
   for (int row = 0; row < 16; ++row)
     for (int column = 0; column < 16; ++column) {
       const int fromDiagonal = std::abs(15 - row - column);
@@ -278,7 +278,7 @@ TEST_CASE("meshPicture shows the borders of elements, one pixel wide", "[picture
   Discretization discretization;
   addGrid(discretization, 4, 2);
   addGrid(discretization, 1, 1);
-  const Image mesh = meshPicture(scene, discretization, straight, 32, 32);
+  const Image mesh = meshPicture(scene, discretization, ahead, 32, 32);
   for (int row = 0; row < 32; ++row)
     for (int column = 0; column < 32; ++column) {
       // A border between two pixels blackens the nearer half of each.

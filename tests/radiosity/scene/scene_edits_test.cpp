@@ -24,7 +24,7 @@ std::vector<std::string> namesOf(const std::vector<Surface>& surfaces) {
 }
 
 /// Four squares, two of one family.
-Scene squares() {
+Scene squareScene() {
   std::vector<Surface> surfaces;
   for (int s = 0; s < 4; ++s)
     surfaces.push_back(tests::parallelogram("square" + std::to_string(s), {2.0 * s, 0, 0}, {1, 0, 0}, {0, 1, 0}));
@@ -34,7 +34,7 @@ Scene squares() {
 
 std::string messageOf(const std::vector<Edit>& edits) {
   try {
-    edited(squares(), {}, edits);
+    edited(squareScene(), {}, edits);
   } catch (const raster::InputError& error) {
     return error.what();
   }
@@ -44,7 +44,7 @@ std::string messageOf(const std::vector<Edit>& edits) {
 }  // namespace
 
 TEST_CASE("edited with Move shifts the corners of the named surfaces and nothing else", "[scene_edits]") {
-  const Scene before = squares();
+  const Scene before = squareScene();
   for (const char* name : {"pair", "pai*"}) {
     const EditedScene edit = edited(before, {}, {{Move{name, {0.5, 0, 0.25}}}});
     CHECK(edit.scene.origin == before.origin);
@@ -61,7 +61,7 @@ TEST_CASE("edited with Move shifts the corners of the named surfaces and nothing
 }
 
 TEST_CASE("edited with Restore appends removed surfaces, and removing them twice is an error", "[scene_edits]") {
-  EditedScene edit = edited(squares(), {}, {{Remove{"pair"}}});
+  EditedScene edit = edited(squareScene(), {}, {{Remove{"pair"}}});
   CHECK(namesOf(edit.scene.surfaces) == std::vector<std::string>{"square0", "square3"});
   CHECK(edit.origins[1].former == 3U);
   CHECK(namesOf(edit.removed) == std::vector<std::string>{"square1", "square2"});
@@ -69,13 +69,13 @@ TEST_CASE("edited with Restore appends removed surfaces, and removing them twice
   edit = edited(edit.scene, edit.removed, {{Restore{"square2"}}});
   CHECK(namesOf(edit.scene.surfaces) == std::vector<std::string>{"square0", "square3", "square2"});
   CHECK_FALSE(edit.origins[2].former);
-  CHECK(edit.scene.surfaces[2].triangles[0].position == squares().surfaces[2].triangles[0].position);
+  CHECK(edit.scene.surfaces[2].triangles[0].position == squareScene().surfaces[2].triangles[0].position);
   CHECK(namesOf(edit.removed) == std::vector<std::string>{"square1"});
 }
 
 TEST_CASE("edited removes and restores both sides of a surface, and updates the twin indices of both sides",
           "[scene_edits]") {
-  Scene scene = squares();
+  Scene scene = squareScene();
   for (int s = 0; s < 4; ++s) {
     Surface back = scene.surfaces[static_cast<std::size_t>(s)];
     back.name += "/back";
@@ -96,7 +96,7 @@ TEST_CASE("edited removes and restores both sides of a surface, and updates the 
 
 TEST_CASE("edited with SetEmission or SetReflectance gives a surface its own material", "[scene_edits]") {
   const EditedScene edit =
-      edited(squares(), {}, {{SetEmission{"pair", {1, 2, 3}}, SetReflectance{"square1", {0.1, 0.2, 0.3}}}});
+      edited(squareScene(), {}, {{SetEmission{"pair", {1, 2, 3}}, SetReflectance{"square1", {0.1, 0.2, 0.3}}}});
   const auto materialOf = [&](std::size_t s) {
     return edit.scene.materials[static_cast<std::size_t>(edit.scene.surfaces[s].material)];
   };
@@ -143,7 +143,7 @@ TEST_CASE("edited with SetReflectance finds surfaces, then groups and parts, the
 TEST_CASE("edited with Add gives added objects names that are free", "[scene_edits]") {
   const TemporaryFolder folder;
   std::ofstream(folder.path / "more.obj") << "v 0 0 0\nv 1 0 0\nv 1 1 0\ng square0\nf 1 2 3\ng other\nf 3 2 1\n";
-  const EditedScene edit = edited(squares(), {}, {{Add{folder.path / "more.obj", {}, {0, 0, 3}}}});
+  const EditedScene edit = edited(squareScene(), {}, {{Add{folder.path / "more.obj", {}, {0, 0, 3}}}});
   CHECK(namesOf(edit.scene.surfaces) ==
         std::vector<std::string>{"square0", "square1", "square2", "square3", "square0~2", "other"});
   CHECK(edit.scene.surfaces[4].family == "square0~2");
@@ -166,8 +166,8 @@ TEST_CASE("edited throws InputError with advice for invalid edits", "[scene_edit
 
 TEST_CASE("readAgain finds surfaces that moved as a whole, and takes the materials of the new reading",
           "[scene_edits]") {
-  const Scene former = squares();
-  Scene next = squares();
+  const Scene former = squareScene();
+  Scene next = squareScene();
   next.materials = {{.name = "red", .reflectance = {0.8, 0.1, 0.1}}};
   for (Triangle& triangle : next.surfaces[2].triangles)
     for (glm::dvec3& corner : triangle.position) corner += glm::dvec3(0, 0.5, 1);
@@ -190,9 +190,9 @@ TEST_CASE("readAgain finds surfaces that moved as a whole, and takes the materia
 
 TEST_CASE("readAgain gives nothing for surfaces that came, went, changed their shape or went far", "[scene_edits]") {
   const auto isEdit = [](const auto& change) {
-    Scene next = squares();
+    Scene next = squareScene();
     change(next);
-    return readAgain(squares(), std::move(next)).has_value();
+    return readAgain(squareScene(), std::move(next)).has_value();
   };
   CHECK(isEdit([](Scene&) {}));
   CHECK_FALSE(isEdit([](Scene& next) { next.surfaces.pop_back(); }));
@@ -210,7 +210,7 @@ TEST_CASE("readAgain gives nothing for surfaces that came, went, changed their s
 
 TEST_CASE("carried keeps elements, patches and rotations of kept surfaces, and discretizes new ones alone",
           "[scene_edits]") {
-  const Scene before = squares();
+  const Scene before = squareScene();
   const DiscretizationSettings settings{.texels = 4, .surfaceTexels = {{"square0", 8}, {"square3", 2}}, .patch = 2};
   const Discretization whole = discretize(before, settings);
   const EditedScene edit = edited(before, {}, {{Remove{"square0"}, Remove{"square3"}, Restore{"square0"}}});
@@ -242,7 +242,7 @@ TEST_CASE("carried keeps elements, patches and rotations of kept surfaces, and d
 }
 
 TEST_CASE("edited parts no surface from what it covers a part of", "[scene_edits]") {
-  Scene scene = squares();
+  Scene scene = squareScene();
   const Surface wall = scene.surfaces[0];
   scene.surfaces[1] = tests::parallelogram("poster", {0.25, 0.25, 0}, {0.5, 0, 0}, {0, 0.5, 0});
   const Contacts contacts = findContacts(scene);
@@ -259,7 +259,7 @@ TEST_CASE("edited parts no added surface from what it covers a part of", "[scene
   std::ofstream(folder.path / "more.obj") << "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv .5 0 0\nv .5 1 0\n"
                                              "g square0\nf 1 2 3 4\ng poster\nf 1 5 6 4\n";
   const Edit add = Add{folder.path / "more.obj", {}, {0, 0, 3}};
-  CHECK_NOTHROW(edited(squares(), {}, std::vector<Edit>{add, Move{"square0", {0, 0, 1}}}));
-  CHECK_THROWS_WITH(edited(squares(), {}, std::vector<Edit>{add, Move{"poster", {0, 0, 1}}}),
+  CHECK_NOTHROW(edited(squareScene(), {}, std::vector<Edit>{add, Move{"square0", {0, 0, 1}}}));
+  CHECK_THROWS_WITH(edited(squareScene(), {}, std::vector<Edit>{add, Move{"poster", {0, 0, 1}}}),
                     Catch::Contains("`poster` covers a part of `square0~2`"));
 }

@@ -27,7 +27,7 @@ Scene litCube() {
   return tests::finish(std::move(scene));
 }
 
-constexpr SolverSettings settings{.residual = 1e-5};
+constexpr SolverSettings exactSettings{.residual = 1e-5};
 
 /// Solves from the start or from the bytes of a snapshot.
 Solution solutionOf(const Scene& scene, const Progress& progress, std::string_view bytes = {}) {
@@ -41,7 +41,7 @@ Solution solutionOf(const Scene& scene, const Progress& progress, std::string_vi
                 .patches = discretization.patches,
                 .rowOf = drawn.rowOf(),
                 .split = drawn.splits(),
-                .settings = settings,
+                .settings = exactSettings,
                 .outside = drawn.outsideFlux(),
                 .snapshot = snapshot.shots > 0 ? &snapshot : nullptr},
                progress);

@@ -19,7 +19,7 @@ constexpr TextureFilter smoothKernels[] = {TextureFilter::Triangle, TextureFilte
 constexpr TextureFilter allFilters[] = {TextureFilter::OneToOne, TextureFilter::Triangle, TextureFilter::Bilinear,
                                         TextureFilter::Bicubic,  TextureFilter::Quadtree, TextureFilter::Gouraud};
 
-Scene square() { return sceneOf({parallelogram("square", {0, 0, 0}, {1, 0, 0}, {0, 1, 0})}); }
+Scene unitSquare() { return sceneOf({parallelogram("square", {0, 0, 0}, {1, 0, 0}, {0, 1, 0})}); }
 
 /// 2 + 3 x - y at places in [0, 1]^2.
 glm::dvec3 linear(const glm::dvec2& place) { return {2 + 3 * place.x - place.y, 1, place.y}; }
@@ -82,7 +82,7 @@ TEST_CASE("kernelWeight on texels is 1 and (1 2 1) and (1 4 1)", "[texture]") {
 }
 
 TEST_CASE("filteredTexels keep linear fields away from edges, also magnified", "[texture]") {
-  const Scene scene = square();
+  const Scene scene = unitSquare();
   const Discretization discretization = discretize(scene, {.texels = 9});
   const std::vector<glm::dvec3> values = linearElements(scene, discretization);
   for (const TextureFilter filter : allFilters) {

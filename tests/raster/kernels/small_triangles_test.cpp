@@ -70,16 +70,16 @@ SmallIds idsOf(const SmallSetup& setup, const Map& map, const std::vector<ItemId
 }
 
 /// All triangles of a mesh, drawn into one face.
-struct Drawn {
+struct DrawnSmall {
   std::vector<std::vector<std::uint64_t>> setups;
   DepthBuffer buffer;
   std::vector<std::tuple<std::uint32_t, int, int>> unresolved;
 };
 
-Drawn drawAll(const Kernels& kernels, const ClusterMesh& mesh, const Face& face, const Map& map) {
+DrawnSmall drawAll(const Kernels& kernels, const ClusterMesh& mesh, const Face& face, const Map& map) {
   std::vector<ItemId> texels;
   for (int i = 0; i < map.columns * map.rows; ++i) texels.push_back(static_cast<ItemId>(7 * i + 3));
-  Drawn drawn;
+  DrawnSmall drawn;
   drawn.buffer.clear(face.scissor);
   for (const ClusterPart& part : mesh.parts) {
     const Seen seen(mesh, part, face);
@@ -163,12 +163,12 @@ TEST_CASE("Kernels::setUpSmall and drawSmall give the same results with each ins
   std::size_t samples = 0, unresolved = 0;
   for (const Face& face : faces())
     for (const Map& map : {Map{8, 5, true}, Map{8, 5, false}, Map{1, 1, true}}) {
-      const Drawn plain = drawAll(allKernels().back(), mesh, face, map);
+      const DrawnSmall plain = drawAll(allKernels().back(), mesh, face, map);
       samples += shownBy(plain.buffer).size();
       unresolved += plain.unresolved.size();
       for (const Kernels& kernels : allKernels()) {
         INFO(kernels.instructionSet);
-        const Drawn drawn = drawAll(kernels, mesh, face, map);
+        const DrawnSmall drawn = drawAll(kernels, mesh, face, map);
         CHECK(drawn.setups == plain.setups);
         CHECK(shownBy(drawn.buffer) == shownBy(plain.buffer));
         CHECK(drawn.unresolved == plain.unresolved);

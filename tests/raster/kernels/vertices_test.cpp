@@ -51,7 +51,7 @@ std::vector<std::uint32_t> placed(const Kernels& kernels, const ClusterMesh& mes
   return all;
 }
 
-std::vector<Face> faces() {
+std::vector<Face> facesOfAllSizes() {
   std::vector<Face> all;
   for (const Face& face : tests::threeFaces()) all.push_back(face);
   all.push_back(tests::frontFace(4096));
@@ -68,7 +68,7 @@ TEST_CASE("Kernels::place gives the same vertices with each instruction set", "[
   const DrawList list = allAround();
   const ClusterMesh mesh = meshOf(list, clustersOf(list));
   std::uint32_t whole = 0, cut = 0, small = 0, tiny = 0, sides = 0;
-  for (const Face& face : faces())
+  for (const Face& face : facesOfAllSizes())
     for (const ClusterPart& part : mesh.parts) {
       const std::vector<std::uint32_t> plain = placed(allKernels().back(), mesh, part, face);
       for (const Kernels& kernels : allKernels()) {

@@ -16,7 +16,7 @@ using raster::PixelValue;
 
 namespace {
 
-std::vector<ItemId> plainIds(const DrawList& list, const Face& face) {
+std::vector<ItemId> drawnPlainly(const DrawList& list, const Face& face) {
   return render(raster::PlainRenderer(list), {&face, 1}).front().ids;
 }
 
@@ -55,9 +55,9 @@ TEST_CASE("PlainRenderer and SoftwareRenderer give each triangle its number in i
       for (std::uint32_t t = 0; t < draw.count / 3; ++t)
         each.draws.push_back({draw.first + 3 * t, 3, draw.offset + t, draw.back, {}});
     for (const Face& face : facesAndParts()) {
-      const std::vector<ItemId> ids = plainIds(list, face);
+      const std::vector<ItemId> ids = drawnPlainly(list, face);
       CHECK(ids == drawOne(list, face).ids);
-      CHECK(ids == plainIds(each, face));
+      CHECK(ids == drawnPlainly(each, face));
     }
   }
 }
@@ -70,7 +70,7 @@ TEST_CASE("PlainRenderer discards fragments of numbered triangles in holes", "[n
   picture.addBlock(picture.whole());
   addDraw(picture, 0x200);
   picture.addBlock(picture.whole(), 2);
-  const std::vector<ItemId> ids = plainIds(picture, frontFace(16));
+  const std::vector<ItemId> ids = drawnPlainly(picture, frontFace(16));
   CHECK(ids == drawOne(picture, frontFace(16)).ids);
   for (std::size_t p = 0; p < ids.size(); ++p) CHECK(ids[p] >> 8 == (p % 16 < 8 ? 1 : 2));
   // Both triangles of a quad meet at its diagonal.
@@ -90,7 +90,7 @@ TEST_CASE("PlainRenderer keeps the triangle that each depth test prefers, in eve
         addDraw(list, draw);
         addTriangle(list, {{-w, -w, w}, {3 * w, -w, w}, {-w, 3 * w, w}});
       }
-      const std::vector<ItemId> ids = plainIds(list, frontFace(4));
+      const std::vector<ItemId> ids = drawnPlainly(list, frontFace(4));
       CHECK(std::count(ids.begin(), ids.end(), ids[0]) == 16);
       return static_cast<std::ptrdiff_t>(ids[0]);
     };
@@ -116,13 +116,13 @@ TEST_CASE("PlainRenderer with the farther test shows what the nearest layers hid
   DrawList farther = list;
   farther.depthTest = DepthTest::Farther;
   const Face face = frontFace(32);
-  const std::vector<ItemId> found = plainIds(farther, face);
+  const std::vector<ItemId> found = drawnPlainly(farther, face);
   std::vector<ItemId> expected(found.size(), 0xFFFFFFFF);
   for (std::uint32_t rank = 0; rank < 30; ++rank) {
     DrawList one = list;
     const auto draw = std::find(depthOrder.begin(), depthOrder.end(), rank) - depthOrder.begin();
     one.draws = {list.draws[static_cast<std::size_t>(draw)]};
-    const std::vector<ItemId> ids = plainIds(one, face);
+    const std::vector<ItemId> ids = drawnPlainly(one, face);
     for (std::size_t p = 0; p < ids.size(); ++p)
       if (ids[p] != 0xFFFFFFFF) expected[p] = ids[p];
   }
@@ -137,20 +137,20 @@ TEST_CASE("PlainRenderer draws a wide viewport like the middle rows of a square 
   wide.scissor = {0, 0, 64, 32};
   square.y *= 0.5F;
   square.scissor = {0, 16, 64, 32};
-  CHECK(plainIds(list, wide) == plainIds(list, square));
+  CHECK(drawnPlainly(list, wide) == drawnPlainly(list, square));
   std::swap(wide.viewport->columns, wide.viewport->rows);
   square = frontFace(64);
   square.x *= 0.5F;
   wide.scissor = {0, 0, 32, 64};
   square.scissor = {16, 0, 32, 64};
-  CHECK(plainIds(list, wide) == plainIds(list, square));
+  CHECK(drawnPlainly(list, wide) == drawnPlainly(list, square));
   CHECK_THROWS_AS(drawOne(list, wide), raster::InputError);
 }
 
 TEST_CASE("PlainRenderer draws a viewport of equal sides like a face of that resolution", "[viewport]") {
   Face own = frontFace(64);
   own.viewport = raster::Viewport{64, 64};
-  CHECK(plainIds(crossingTriangles(), own) == plainIds(crossingTriangles(), frontFace(64)));
+  CHECK(drawnPlainly(crossingTriangles(), own) == drawnPlainly(crossingTriangles(), frontFace(64)));
 }
 
 TEST_CASE("PlainRenderer samples a corner where a picture of half the resolution has the middle of a pixel",
@@ -158,7 +158,7 @@ TEST_CASE("PlainRenderer samples a corner where a picture of half the resolution
   const DrawList list = gridTriangles();
   Face fine = frontFace(32);
   fine.sample = raster::SamplePlace::Corner;
-  const std::vector<ItemId> corners = plainIds(list, fine), middles = plainIds(list, frontFace(16));
+  const std::vector<ItemId> corners = drawnPlainly(list, fine), middles = drawnPlainly(list, frontFace(16));
   std::size_t different = 0;
   for (std::size_t row = 0; row < 16; ++row)
     for (std::size_t column = 0; column < 16; ++column) {

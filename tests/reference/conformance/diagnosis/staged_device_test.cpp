@@ -15,10 +15,10 @@ using tests::drawAll;
 
 namespace {
 
-using Ids = std::vector<std::vector<raster::ItemId>>;
+using FaceIds = std::vector<std::vector<raster::ItemId>>;
 
-Ids idsOf(const std::vector<raster::ItemBuffer>& buffers) {
-  Ids ids;
+FaceIds idsOf(const std::vector<raster::ItemBuffer>& buffers) {
+  FaceIds ids;
   for (const raster::ItemBuffer& buffer : buffers) ids.push_back(buffer.ids);
   return ids;
 }
@@ -71,8 +71,8 @@ TEST_CASE("withReadBack changes the item IDs of the rules as a device does that 
   StagedDevice drawing;
   drawing.readBack = reversed;
   const TestVector vector = named("five-faces");
-  const Ids rules = idsOf(drawAll(StagedDevice{}, vector)),
-            found = idsOf(drawAll(reference::withReadBack(reversed), vector));
+  const FaceIds rules = idsOf(drawAll(StagedDevice{}, vector)),
+                found = idsOf(drawAll(reference::withReadBack(reversed), vector));
   CHECK(found == idsOf(drawAll(drawing, vector)));
   for (std::size_t f = 0; f < rules.size(); ++f)
     CHECK(std::equal(rules[f].begin(), rules[f].end(), found[f].rbegin(), found[f].rend()));
@@ -128,7 +128,7 @@ TEST_CASE("drawOn with keepsDepth hides what lies behind the faces before", "[di
   device.keepsDepth = true;
   TestVector vector = named("depth-stack");
   vector.faces.push_back(vector.faces[0]);
-  const Ids once = idsOf(drawAll(StagedDevice{}, vector)), kept = idsOf(drawAll(device, vector));
+  const FaceIds once = idsOf(drawAll(StagedDevice{}, vector)), kept = idsOf(drawAll(device, vector));
   CHECK(kept[0] == once[0]);
   // Nothing is nearer than itself.
   CHECK(std::count(kept[1].begin(), kept[1].end(), 0xffffffff) == static_cast<std::ptrdiff_t>(kept[1].size()));

@@ -71,7 +71,7 @@ std::string hashOf(const std::string& family) {
 }
 
 /// The number of vectors on which renderer and evaluateRules differ.
-std::uint64_t differingVectors(std::uint64_t count) {
+std::uint64_t vectorsUnlikeRules(std::uint64_t count) {
   std::atomic<std::uint64_t> differing = 0;
   raster::parallelFor(count, [&](std::size_t k) {
     const TestVector vector = reference::interleavedRandomVector(0, k);
@@ -213,12 +213,12 @@ TEST_CASE("readVector reads vectors of randomVector back to the same bits", "[ra
 }
 
 TEST_CASE("evaluateRules equals the renderer on 10,000 vectors of interleavedRandomVector", "[random]") {
-  CHECK(differingVectors(10000) == 0);
+  CHECK(vectorsUnlikeRules(10000) == 0);
 }
 
 // The target million_vectors runs it; the test above is a part of it.
 TEST_CASE("evaluateRules equals the renderer on a million vectors of interleavedRandomVector", "[.million_vectors]") {
-  CHECK(differingVectors(1000000) == 0);
+  CHECK(vectorsUnlikeRules(1000000) == 0);
 }
 
 TEST_CASE("judge finds each fault of knownFaults in two vectors of each family, and each variant with an effect",

@@ -14,8 +14,8 @@ using reference::SnapRounding;
 
 namespace {
 
-constexpr int resolution = 16;
-constexpr double halfView = 128 * resolution;  // a unit of x/w, in sub-pixels
+constexpr int faceResolution = 16;
+constexpr double halfView = 128 * faceResolution;  // a unit of x/w, in sub-pixels
 
 std::vector<DeviceTriangle> placed(const std::vector<glm::vec3>& corners, const raster::Face& face,
                                    const DeviceProfile& profile, bool loose = false) {
@@ -26,7 +26,7 @@ std::vector<DeviceTriangle> placed(const std::vector<glm::vec3>& corners, const 
 }
 
 /// A point at depth 1 whose picture is at (x, y) sub-pixels from the middle.
-glm::vec3 at(double x, double y) { return {static_cast<float>(x / halfView), static_cast<float>(y / halfView), 1}; }
+glm::vec3 inView(double x, double y) { return {static_cast<float>(x / halfView), static_cast<float>(y / halfView), 1}; }
 
 /// A device whose vertex stage is off by `roundoff`, relative to the sums of sizes.
 DeviceProfile withRoundoff(double roundoff, int subpixelBits = 8) {
@@ -65,8 +65,8 @@ TEST_CASE("placeTriangles lets a vertex reach as far as its device may snap it",
       // At the middle of the view, at depth 1, the error is the roundoff alone: 2048 sub-pixels of it.
       DeviceProfile profile = withRoundoff(each.error / halfView, each.bits);
       profile.snapRounding = each.rounding;
-      const glm::vec3 corner = axis == 0 ? at(each.position, 0) : at(0, each.position);
-      const auto triangles = placed({corner, {1, -1, 1}, {-1, -1, 1}}, tests::frontFace(resolution), profile);
+      const glm::vec3 corner = axis == 0 ? inView(each.position, 0) : inView(0, each.position);
+      const auto triangles = placed({corner, {1, -1, 1}, {-1, -1, 1}}, tests::frontFace(faceResolution), profile);
       INFO(each.bits << " bits, at " << each.position << " with error " << each.error << ", axis " << axis);
       REQUIRE(triangles.size() == 1);
       CHECK(triangles[0].reaches[0][axis] == each.reach);
@@ -89,7 +89,7 @@ TEST_CASE("placeTriangles lets a vertex reach as far as the roundings of its sum
   };
   const double roundoff = 0x1p-8;
   for (const Case& each : cases) {
-    raster::Face face = tests::frontFace(resolution);
+    raster::Face face = tests::frontFace(faceResolution);
     face.eye = each.eye;
     const auto triangles = placed({each.corner, each.eye + glm::vec3(-1, -1, 1), each.eye + glm::vec3(-1, 1, 1)}, face,
                                   withRoundoff(roundoff, 12));
@@ -107,7 +107,7 @@ TEST_CASE("placeTriangles lets a vertex reach as far as the roundings of its sum
 TEST_CASE("placeTriangles gives a triangle the largest reach and depth error of its vertices", "[verdict]") {
   // Sums of sizes 3, 4 and 6 at depths 1, 2 and 4: relative to the depth the first is the largest. Of the positions the
   // one on a tie may move.
-  raster::Face face = tests::frontFace(resolution);
+  raster::Face face = tests::frontFace(faceResolution);
   face.eye = {0, 0, 1};
   std::vector<glm::vec3> corners{{0.5f / 2048, 0, 2}, {1, -1, 3}, {-1, -1, 5}};
   for (int turn = 0; turn < 3; ++turn) {
@@ -141,8 +141,8 @@ TEST_CASE("placeTriangles lets a triangle flip when its legs are short for its r
       DeviceProfile profile = withRoundoff(0);
       profile.snapRounding = SnapRounding::Truncate;
       const double x = each.movesX ? -0.25 : 0, y = each.movesY ? -0.25 : 0;
-      const auto triangles = placed({at(x, y), at(x + each.width, y), at(x, y + direction * each.height)},
-                                    tests::frontFace(resolution), profile);
+      const auto triangles = placed({inView(x, y), inView(x + each.width, y), inView(x, y + direction * each.height)},
+                                    tests::frontFace(faceResolution), profile);
       INFO(each.width << " x " << each.height << ", direction " << direction);
       REQUIRE(triangles.size() == 1);
       CHECK(triangles[0].reach == glm::dvec2(each.movesX ? 1 : 0, each.movesY ? 1 : 0));
@@ -152,10 +152,10 @@ TEST_CASE("placeTriangles lets a triangle flip when its legs are short for its r
 }
 
 TEST_CASE("placeTriangles finds the same facing in a mirrored view", "[verdict]") {
-  raster::Face mirrored = tests::frontFace(resolution);
+  raster::Face mirrored = tests::frontFace(faceResolution);
   mirrored.x = -mirrored.x;
   const std::vector<glm::vec3> front{{-1, -1, 1}, {1, 1, 1}, {1, -1, 1}}, away{{-1, -1, 1}, {1, -1, 1}, {1, 1, 1}};
-  for (const raster::Face& face : {tests::frontFace(resolution), mirrored}) {
+  for (const raster::Face& face : {tests::frontFace(faceResolution), mirrored}) {
     CHECK_FALSE(placed(front, face, {})[0].facesAway);
     CHECK(placed(away, face, {})[0].facesAway);
   }
@@ -174,7 +174,7 @@ TEST_CASE("placeTriangles cuts a triangle loosely only where its errors take it 
                                 {{0, 0, 0.503f}, false}, {{0, 0, 0.501f}, true}};
   for (const Case& each : cases) {
     const std::vector<glm::vec3> corners{each.corner, {0.25f, 0.5f, 1}, {0.5f, 0.25f, 1}};
-    const raster::Face face = tests::frontFace(resolution, 0.5f);
+    const raster::Face face = tests::frontFace(faceResolution, 0.5f);
     const DeviceTriangle strict = placed(corners, face, withRoundoff(roundoff)).at(0);
     const DeviceTriangle loose = placed(corners, face, withRoundoff(roundoff), true).at(0);
     INFO(each.corner.x << ' ' << each.corner.y << ' ' << each.corner.z);
@@ -190,7 +190,7 @@ TEST_CASE("placeTriangles gives vertices of a loosely cut triangle the largest e
   for (const SnapRounding rounding : {SnapRounding::Nearest, SnapRounding::Truncate}) {
     DeviceProfile profile = withRoundoff(roundoff, 6);
     profile.snapRounding = rounding;
-    const DeviceTriangle loose = placed(corners, tests::frontFace(resolution), profile, true).at(0);
+    const DeviceTriangle loose = placed(corners, tests::frontFace(faceResolution), profile, true).at(0);
     const double ours = 0.5, device = rounding == SnapRounding::Nearest ? 2 : 4;
     const double error = halfView * roundoff * (1.5 / (1 - roundoff) + 1);
     CHECK(loose.reaches[0].x == Approx(error + ours + device));
@@ -204,7 +204,7 @@ TEST_CASE("placeTriangles moves the loose near plane by the error of the depth, 
   for (const double roundoff : {1.0 / 256, 1.0 / 4}) {
     double nearest = 1;
     for (const DeviceTriangle& triangle :
-         placed(corners, tests::frontFace(resolution, 0.5f), withRoundoff(roundoff), true))
+         placed(corners, tests::frontFace(faceResolution, 0.5f), withRoundoff(roundoff), true))
       for (const raster::ViewVertex& vertex : triangle.vertices) nearest = std::min(nearest, vertex.w);
     CHECK(nearest == (roundoff < 0.1 ? 0.5 - 3 * roundoff : 0.25));
   }
@@ -219,8 +219,8 @@ TEST_CASE("regionAt bounds the triangle within its reach of a sample", "[verdict
     profile.snapRounding = SnapRounding::Truncate;
     const glm::dvec2 sample(halfView + 256, halfView + 512);
     const double reach = x == 0 ? 0 : 1;
-    const auto face = tests::frontFace(resolution);
-    const DeviceTriangle flat = placed({at(x, 0), at(x + 1024, 0), at(x, 1024)}, face, profile).at(0);
+    const auto face = tests::frontFace(faceResolution);
+    const DeviceTriangle flat = placed({inView(x, 0), inView(x + 1024, 0), inView(x, 1024)}, face, profile).at(0);
     const auto region = regionAt(flat, sample, EdgeRule::TopLeft);
     REQUIRE(region);
     const auto bound = [](double value) { return Approx(value).margin(1e-7); };
@@ -229,7 +229,8 @@ TEST_CASE("regionAt bounds the triangle within its reach of a sample", "[verdict
     CHECK(region->low.y == bound(0.5));
     CHECK(region->high.y == bound(0.5));
 
-    const DeviceTriangle steep = placed({at(x, 0), 2.0f * at(x + 1024, 0), at(x, 1024)}, face, profile).at(0);
+    const DeviceTriangle steep =
+        placed({inView(x, 0), 2.0f * inView(x + 1024, 0), inView(x, 1024)}, face, profile).at(0);
     const auto slanted = regionAt(steep, sample, EdgeRule::TopLeft);
     REQUIRE(slanted);
     const double low = (256 - reach) / 1024, high = (256 + reach) / 1024;
@@ -245,7 +246,8 @@ TEST_CASE("edgeMayPass is true within the reach of an edge, and false beyond its
   DeviceProfile profile = withRoundoff(0);
   profile.snapRounding = SnapRounding::Truncate;
   const DeviceTriangle triangle =
-      placed({at(-0.25, 0), at(511.75, 256), at(-0.25, 256)}, tests::frontFace(resolution), profile).at(0);
+      placed({inView(-0.25, 0), inView(511.75, 256), inView(-0.25, 256)}, tests::frontFace(faceResolution), profile)
+          .at(0);
   const auto passes = [&](double x, double y) {
     return edgeMayPass(triangle, 0, glm::dvec2(halfView) + glm::dvec2(x, y), EdgeRule::TopLeft);
   };

@@ -17,7 +17,7 @@ namespace {
 SurfacePieces wholePieces(const Scene& scene) { return surfacePieces(scene, discretize(scene, {.texels = 1})); }
 
 /// A rectangle in the plane z = 0, in two triangles.
-Surface rectangle(double left, double right, double below, double above) {
+Surface rectangleSurface(double left, double right, double below, double above) {
   return tests::quad("a", {{{left, below, 0}, {right, below, 0}, {right, above, 0}, {left, above, 0}}});
 }
 
@@ -56,12 +56,12 @@ TEST_CASE("mergedPieces of a divided cube are its six squares, with the form fac
 }
 
 TEST_CASE("mergedPieces keeps pieces without one convex outline in one plane", "[form factors]") {
-  const Surface square = rectangle(0, 1, 0, 1);
+  const Surface square = rectangleSurface(0, 1, 0, 1);
   CHECK(merged(joined({square})) == 1);
-  CHECK(merged(joined({square, rectangle(1, 2, 0, 1)})) == 1);
-  CHECK(merged(joined({square, rectangle(1, 2, 0, 2)})) == 4);                         // edges of other lengths
-  CHECK(merged(joined({square, rectangle(1, 2, 0, 1), rectangle(0, 1, 1, 2)})) == 6);  // an L
-  CHECK(merged(joined({square, rectangle(2, 3, 0, 1)})) == 4);                         // two islands
-  CHECK(merged(joined({square, rectangle(1, 2, 1, 2)})) == 4);                         // they meet at a corner
+  CHECK(merged(joined({square, rectangleSurface(1, 2, 0, 1)})) == 1);
+  CHECK(merged(joined({square, rectangleSurface(1, 2, 0, 2)})) == 4);  // edges of other lengths
+  CHECK(merged(joined({square, rectangleSurface(1, 2, 0, 1), rectangleSurface(0, 1, 1, 2)})) == 6);  // an L
+  CHECK(merged(joined({square, rectangleSurface(2, 3, 0, 1)})) == 4);                                // two islands
+  CHECK(merged(joined({square, rectangleSurface(1, 2, 1, 2)})) == 4);  // they meet at a corner
   CHECK(merged(joined({square, tests::quad("b", {{{1, 0, 0}, {1, 0, 1}, {1, 1, 1}, {1, 1, 0}}})})) == 4);  // a fold
 }

@@ -20,7 +20,7 @@ const std::vector<double> widths{1, 1e-3, 1e-6};
 const std::vector<double> offsets{-0.5, 0, 1e-6, 3};
 const std::vector<double> scales{1, 1e-6, 1e6};
 
-AxisRectangle rectangle(double x0, double x1, double y0, double y1) { return {{x0, x1}, {y0, y1}}; }
+AxisRectangle axisRectangle(double x0, double x1, double y0, double y1) { return {{x0, x1}, {y0, y1}}; }
 
 Parallelogram ceilingOf(const AxisRectangle& r, double z) {
   return {{r.first.low, r.second.low, z}, {0, r.second.high - r.second.low, 0}, {r.first.high - r.first.low, 0, 0}};
@@ -66,9 +66,9 @@ TEST_CASE("pointToPolygon equals the closed forms of rectangles, at all distance
       for (const double offset : offsets)
         for (const double scale : scales) {
           const AxisRectangle parallel =
-              rectangle(offset * scale, (offset + 1) * scale, -width / 3 * scale, width * scale);
-          const AxisRectangle upright = rectangle(offset * scale, (offset + 1) * scale, 0, width * scale);
-          const AxisRectangle raised = rectangle(offset * scale, (offset + 1) * scale, scale, (1 + width) * scale);
+              axisRectangle(offset * scale, (offset + 1) * scale, -width / 3 * scale, width * scale);
+          const AxisRectangle upright = axisRectangle(offset * scale, (offset + 1) * scale, 0, width * scale);
+          const AxisRectangle raised = axisRectangle(offset * scale, (offset + 1) * scale, scale, (1 + width) * scale);
           const double d = distance * scale;
           worst = std::max({worst,
                             relativeError(fromOrigin(ceilingOf(parallel, d)), elementToParallelRectangle(parallel, d)),
@@ -84,7 +84,7 @@ TEST_CASE("pointToPolygon clips the part below the horizon, however little is ab
     for (const double distance : {1e-3, 1.0, 1e4})
       for (const double offset : offsets) {
         const double height = elevation * distance;
-        const AxisRectangle above = rectangle(offset, offset + 1, 0, height);
+        const AxisRectangle above = axisRectangle(offset, offset + 1, 0, height);
         const std::vector<glm::dvec3> corners{{offset, distance, -1},
                                               {offset + 1, distance, -1},
                                               {offset + 1, distance, height},
@@ -167,14 +167,14 @@ TEST_CASE("pointToPolygon of a polygon is the sum of its parts, for any first co
 TEST_CASE("pointToPolygon from a point almost in a polygon is 1", "[form factors]") {
   // On the axis of a square of half side 1 the difference from 1 is below that of the inscribed disk: h^2 / (1 + h^2).
   for (const double height : {1e-3, 1e-6, 1e-12}) {
-    const double seen = fromOrigin(ceilingOf(rectangle(-1, 1, -1, 1), height));
+    const double seen = fromOrigin(ceilingOf(axisRectangle(-1, 1, -1, 1), height));
     CHECK(seen <= 1);
     CHECK(seen >= 1 - height * height - 1e-15);
   }
 }
 
 TEST_CASE("pointToPolygon is 0 for a polygon edge-on, behind the point, or facing away", "[form factors]") {
-  const Parallelogram wall = wallOf(rectangle(-1, 1, 0, 1), 1);
+  const Parallelogram wall = wallOf(axisRectangle(-1, 1, 0, 1), 1);
   CHECK(fromOrigin(wall) > 0);
   CHECK(fromOrigin(wall.reversed()) == 0);
   CHECK(fromOrigin(wall, -up) == 0);
@@ -197,7 +197,7 @@ TEST_CASE("pointToPolygon is 0 for a polygon in the horizon, for any rounding of
 
 TEST_CASE("pointToPolygon near an upright polygon's edge tends to one half", "[form factors]") {
   // An infinite wall gives one half at any distance. A wall from -1 to 1 of height 1 misses about the distance.
-  const Parallelogram wall = wallOf(rectangle(-1, 1, 0, 1), 1);
+  const Parallelogram wall = wallOf(axisRectangle(-1, 1, 0, 1), 1);
   for (const double gap : {1e-3, 1e-9, 1e-15}) {
     const double seen = pointToPolygon({0.3, 1 - gap, 0}, up, wall.corners());
     CHECK(seen < 0.5);

@@ -80,7 +80,7 @@ std::vector<Polygon> tetrahedron(const std::array<glm::dvec3, 4>& p) {
 }
 
 const std::vector<double> gaps{1e-6, 0.1, 1, 1e4};
-const std::vector<double> scales{1, 1e-6, 1e6};
+const std::vector<double> polygonScales{1, 1e-6, 1e6};
 
 }  // namespace
 
@@ -88,7 +88,7 @@ TEST_CASE("polygonToPolygon of equal parallel squares equals the closed form, at
           "[form factors]") {
   const AxisRectangle square = rectangle(0, 1, 0, 1);
   for (const double gap : gaps)
-    for (const double scale : scales) {
+    for (const double scale : polygonScales) {
       const AxisRectangle r = rectangle(0, scale, 0, scale);
       CHECK(relativeError(polygonToPolygon(floorOf(r), reversed(floorOf(r, gap * scale))),
                           parallelRectangles(square, square, gap)) < 1e-10);
@@ -135,7 +135,7 @@ TEST_CASE("polygonToPolygon does not change if both polygons are rotated, moved 
   const glm::dmat3 aboutX{{1, 0, 0}, {0, std::cos(angle), std::sin(angle)}, {0, -std::sin(angle), std::cos(angle)}};
   const glm::dmat3 turn = aboutX * aboutZ;
   const AxisRectangle from = rectangle(0, 1, 0, 1), to = rectangle(-1, 0.5, 0.25, 1);
-  for (const double scale : scales) {
+  for (const double scale : polygonScales) {
     const Polygon floor = moved(floorOf(from), turn, {1, 2, 3}, scale);
     CHECK(relativeError(polygonToPolygon(floor, moved(wallOf(from), turn, {1, 2, 3}, scale)),
                         perpendicularRectangles(from, from)) < 1e-12);

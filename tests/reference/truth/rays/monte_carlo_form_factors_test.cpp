@@ -22,12 +22,12 @@ using namespace hemitex::tests;
 
 namespace {
 
-struct World {
+struct DiscreteWorld {
   Scene scene;
   Discretization discretization;
   RayFormFactors rays;
 
-  explicit World(Scene s, int texels = 1, int patch = 4)
+  explicit DiscreteWorld(Scene s, int texels = 1, int patch = 4)
       : scene(std::move(s)),
         discretization(discretize(scene, {.texels = texels, .patch = patch})),
         rays(scene, discretization) {}
@@ -112,7 +112,7 @@ using Estimator = MeasuredRow (RayFormFactors::*)(const RaySource&, const Receiv
 constexpr Estimator bothEstimators[] = {&RayFormFactors::overHemisphere, &RayFormFactors::aimed};
 
 Measurement measured(const Case& example, Estimator estimator, const Sampling& sampling) {
-  const World world(tests::sceneOf(example.surfaces));
+  const DiscreteWorld world(tests::sceneOf(example.surfaces));
   return (world.rays.*estimator)(world.surface(0), tests::onlyElement(world.discretization, 1), sampling).receivers[0];
 }
 
@@ -146,14 +146,14 @@ TEST_CASE("RayFormFactors agree with closed forms from each element to each elem
   // 4e-4 of normal errors are beyond 4 of those. The smallest factor, 0.002, still gets 30 rays.
   constexpr int n = 5;
   const auto part = [](int i) { return Interval{double(i) / n, double(i + 1) / n}; };
-  const World parallel(tests::sceneOf({facingUp(unitSquare), facingDown(unitSquare, 0.4)}), n);
-  const World perpendicular(tests::sceneOf({facingUp(unitSquare), facingAlongY(unitSquare)}), n);
+  const DiscreteWorld parallel(tests::sceneOf({facingUp(unitSquare), facingDown(unitSquare, 0.4)}), n);
+  const DiscreteWorld perpendicular(tests::sceneOf({facingUp(unitSquare), facingAlongY(unitSquare)}), n);
   for (const Estimator estimator : bothEstimators) {
     const int samples = estimator == &RayFormFactors::aimed ? 1 << 10 : 1 << 14;
     int beyond = 0;
     for (std::uint32_t from = 0; from < n * n; ++from) {
       const AxisRectangle raySource{part(int(from) % n), part(int(from) / n)};
-      const auto rowOf = [&](const World& world) {
+      const auto rowOf = [&](const DiscreteWorld& world) {
         return (world.rays.*estimator)(world.element(from), everyElement(world.discretization), {samples, from});
       };
       const MeasuredRow over = rowOf(parallel), beside = rowOf(perpendicular);
@@ -177,8 +177,8 @@ struct Spread {
 
 /// `texels` is the number per side of the source.
 Spread spreadOf(const Case& example, Estimator estimator, int samples, std::uint32_t seeds, int texels = 1) {
-  const World world(tests::sceneOf(example.surfaces));
-  const RaySource source = World(tests::sceneOf(example.surfaces), texels).surface(0);
+  const DiscreteWorld world(tests::sceneOf(example.surfaces));
+  const RaySource source = DiscreteWorld(tests::sceneOf(example.surfaces), texels).surface(0);
   const Receivers receivers = tests::onlyElement(world.discretization, 1);
   double errors = 0, variance = 0;
   for (std::uint32_t seed = 0; seed < seeds; ++seed) {
@@ -281,7 +281,7 @@ TEST_CASE(
 TEST_CASE("RayFormFactors give the same bits for any number of threads", "[ray form factors]") {
   const auto rows = [](int threads) {
     const raster::ThreadLimit limit(threads);
-    const World world(tests::furnishedRoom(), 3);
+    const DiscreteWorld world(tests::furnishedRoom(), 3);
     const Receivers receivers = everyElement(world.discretization);
     return std::pair{world.rays.overHemisphere(world.surface(1), receivers, {1 << 13}),
                      world.rays.aimed(world.surface(1), receivers, {1 << 9})};
@@ -302,7 +302,7 @@ TEST_CASE("RayFormFactors do not change for moved or scaled scenes, to the bit w
     for (Surface& surface : scene.surfaces)
       for (Triangle& triangle : surface.triangles)
         for (glm::dvec3& corner : triangle.position) corner = scale * corner + offset;
-    const World world(tests::finish(std::move(scene)), 2);
+    const DiscreteWorld world(tests::finish(std::move(scene)), 2);
     const Receivers receivers = everyElement(world.discretization);
     return std::pair{world.rays.overHemisphere(world.surface(1), receivers, {1 << 12}),
                      world.rays.aimed(world.surface(1), receivers, {1 << 9})};
@@ -317,7 +317,7 @@ TEST_CASE("RayFormFactors do not change for moved or scaled scenes, to the bit w
 }
 
 TEST_CASE("RayFormFactors in a closed room lose light only to backs", "[ray form factors]") {
-  const World world(tests::furnishedRoom(), 2);
+  const DiscreteWorld world(tests::furnishedRoom(), 2);
   const Receivers receivers = everyElement(world.discretization);
   for (std::uint32_t surface = 0; surface < world.scene.surfaces.size(); ++surface) {
     const MeasuredRow row = world.rays.overHemisphere(world.surface(surface), receivers, {1 << 12});
@@ -334,7 +334,7 @@ TEST_CASE("RayFormFactors in a closed room lose light only to backs", "[ray form
           4 * std::hypot(aimed.back.standardError, row.back.standardError) + 1e-9);
   }
   // Without blockers that is the sum of the closed forms, exact at each point.
-  const World empty(tests::closedCube(glm::dvec3(0.5), glm::dvec3(1)), 3);
+  const DiscreteWorld empty(tests::closedCube(glm::dvec3(0.5), glm::dvec3(1)), 3);
   const MeasuredRow row = empty.rays.aimed(empty.element(0), everyElement(empty.discretization), {1 << 9});
   CHECK(std::abs(row.background.value) < 1e-9);
   CHECK(row.background.standardError < 1e-9);
@@ -342,7 +342,7 @@ TEST_CASE("RayFormFactors in a closed room lose light only to backs", "[ray form
 
 TEST_CASE("RayFormFactors satisfy reciprocity", "[ray form factors]") {
   // Reciprocity: area times form factor is the same in both directions.
-  const World world(tests::furnishedRoom());
+  const DiscreteWorld world(tests::furnishedRoom());
   const Receivers receivers = everyElement(world.discretization);
   const std::size_t count = receivers.count;
   for (const Estimator estimator : bothEstimators) {
@@ -362,7 +362,7 @@ TEST_CASE("RayFormFactors satisfy reciprocity", "[ray form factors]") {
 }
 
 TEST_CASE("RayFormFactors of a point are the closed forms of the visible elements", "[ray form factors]") {
-  const World world(tests::closedCube(glm::dvec3(0.5), glm::dvec3(1)), 3);
+  const DiscreteWorld world(tests::closedCube(glm::dvec3(0.5), glm::dvec3(1)), 3);
   const SurfacePoint place = elementCentre(world.scene, world.discretization, 2 * 9 + 1);
   const RaySource raySource = pointRaySource(world.scene, 2, place);
   const ShootingPoint point = shootingPoint(raySource, 0.5, 0.5);
@@ -379,7 +379,7 @@ TEST_CASE("RayFormFactors of a point are the closed forms of the visible element
 }
 
 TEST_CASE("RayFormFactors of a patch are the area-weighted means of those of its elements", "[ray form factors]") {
-  const World world(tests::furnishedRoom(), 3, 2);
+  const DiscreteWorld world(tests::furnishedRoom(), 3, 2);
   const Patch& patch = world.discretization.patches.list[4];
   const std::vector<std::uint32_t>& elements = patch.elements;
   const Receivers receivers = everyElement(world.discretization);
@@ -405,7 +405,7 @@ TEST_CASE("RayFormFactors of a patch are the area-weighted means of those of its
 
 TEST_CASE("RayFormFactors to a group of elements are sums, and those to one element do not depend on the others",
           "[ray form factors]") {
-  const World world(tests::furnishedRoom(), 2);
+  const DiscreteWorld world(tests::furnishedRoom(), 2);
   const Receivers every = everyElement(world.discretization);
   Receivers families{2, std::vector<std::uint32_t>(every.count, Receivers::none)};
   for (std::uint32_t e = 0; e < every.count; ++e) families.ofElement[e] = world.discretization.elements[e].surface < 6;
@@ -429,7 +429,7 @@ TEST_CASE("RayFormFactors in two-sided scenes reach both sides and meet no back"
   Scene scene = tests::sceneOf({facingUp(unitSquare), facingDown(unitSquare, 1), facingDown(unitSquare, 0.5),
                                 tests::parallelogram("twin", {0, 0, 0.5}, {1, 0, 0}, {0, 1, 0})});
   makeTwins(scene.surfaces, 2, 3);
-  const World world(scene);
+  const DiscreteWorld world(scene);
   const Receivers receivers = everyElement(world.discretization);
   const double exact = parallelRectangles(unitSquare, unitSquare, 0.5);
   for (const Estimator estimator : bothEstimators)

@@ -19,12 +19,12 @@ using namespace hemitex::radiosity;
 namespace {
 
 /// A surface alone in a scene.
-struct World {
+struct SourceWorld {
   Scene scene;
   Discretization discretization;
   SurfacePieces pieces;
 
-  World(const Surface& surface, int texels)
+  SourceWorld(const Surface& surface, int texels)
       : scene(tests::sceneOf({surface})),
         discretization(discretize(scene, {.texels = texels})),
         pieces(surfacePieces(scene, discretization)) {}
@@ -50,7 +50,7 @@ constexpr int texelsPerSide[] = {1, 5, 16};
 TEST_CASE("areaRaySource has the area of its elements", "[raySource]") {
   for (const Surface& surface : tests::tableOfSurfaces())
     for (const int texels : texelsPerSide) {
-      const World world(surface, texels);
+      const SourceWorld world(surface, texels);
       double expected = 0;
       for (const Element& element : world.discretization.elements) expected += element.area;
       INFO(surface.name << ", " << texels << " texels");
@@ -64,7 +64,7 @@ TEST_CASE("shootingPoint maps equal areas to equal areas", "[raySource]") {
   const SamplePoints points(1 << 8, 0);
   for (const Surface& surface : tests::tableOfSurfaces())
     for (const int texels : texelsPerSide) {
-      const World world(surface, texels);
+      const SourceWorld world(surface, texels);
       const RaySource source = world.source();
       const auto at = [&](double x, double y) { return shootingPoint(source, x, y).position; };
       std::size_t equal = 0;
@@ -81,7 +81,7 @@ TEST_CASE("shootingPoint maps equal areas to equal areas", "[raySource]") {
 TEST_CASE("shootingPoint gives points on the triangle that it names", "[raySource]") {
   const SamplePoints points(1 << 8, 0);
   for (const Surface& surface : tests::tableOfSurfaces()) {
-    const World world(surface, 5);
+    const SourceWorld world(surface, 5);
     const RaySource source = world.source();
     for (std::size_t i = 0; i < points.count(); ++i) {
       const ShootingPoint point = shootingPoint(source, points.at(0, i)[0], points.at(0, i)[1]);
@@ -101,7 +101,7 @@ TEST_CASE("shootingPoint gives each texel its share of a net", "[raySource]") {
   constexpr int m = 14;
   const SamplePoints points(1 << m, 0);
   for (const Surface& surface : tests::tableOfSurfaces()) {
-    const World world(surface, 5);
+    const SourceWorld world(surface, 5);
     const RaySource source = world.source();
     std::vector<int> counts(world.discretization.elements.size());
     for (std::size_t i = 0; i < points.count(); ++i)
@@ -117,7 +117,7 @@ TEST_CASE("shootingPoint gives each texel its share of a net", "[raySource]") {
 TEST_CASE("shootingPoint is affine on a parallelogram with any number of texels", "[raySource]") {
   const glm::dvec3 corner(1, 2, 3), u(2, 0.5, 0), v(-0.25, 1, 1);
   for (const int texels : {1, 2, 7, 16}) {
-    const World world(tests::parallelogram("tilted", corner, u, v), texels);
+    const SourceWorld world(tests::parallelogram("tilted", corner, u, v), texels);
     const RaySource source = world.source();
     const SamplePoints points(1 << 8, 0);
     for (std::size_t i = 0; i < points.count(); ++i) {

@@ -13,7 +13,7 @@ using namespace hemitex::reference;
 
 namespace {
 
-struct Random {
+struct RandomDirections {
   std::mt19937 bits{11};
   double uniform(double low, double high) { return low + (high - low) * double(bits()) / 4294967296.0; }
   glm::dvec3 direction() {
@@ -49,7 +49,7 @@ TEST_CASE("solidAngle equals the values known by symmetry", "[solid angle]") {
 TEST_CASE("directionIn fills a spherical triangle uniformly", "[solid angle]") {
   // The triangle is cut from the first corner to a point of the opposite side. Each part gets its share of a net of
   // 2^12 points, except for points on a cut that crosses the net. Large triangles, small ones and slivers.
-  Random random;
+  RandomDirections random;
   const SamplePoints points(1 << 12, 3);
   for (std::size_t repeat = 0; repeat < 60; ++repeat) {
     const double size = std::pow(10.0, random.uniform(-3, 0)), width = std::pow(10.0, random.uniform(-3, 0));
@@ -82,7 +82,7 @@ TEST_CASE("directionIn fills a spherical triangle uniformly", "[solid angle]") {
 TEST_CASE("aimInto gives directions into a polygon whose mean cosine is its form factor", "[solid angle]") {
   // F = 1/pi times the integral of the cosine over the polygon's solid angle, from Lambert's formula. Near, far, large,
   // small and thin polygons, sampled by solid angle and by area.
-  Random random;
+  RandomDirections random;
   const SamplePoints points(1 << 14, 0);
   int byArea = 0;
   for (int repeat = 0; repeat < 40; ++repeat) {

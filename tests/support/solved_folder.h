@@ -1,14 +1,19 @@
-/// The table elements.csv of a solved folder, by columns.
+/// The files of a solved folder: solution.json, and elements.csv by columns.
 #pragma once
 
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "tests/support/shell.h"
 
 namespace hemitex::tests {
+
+inline nlohmann::json solutionOf(const Shell& shell, const std::string& folder) {
+  return nlohmann::json::parse(readAll(shell.file(folder + "/solution.json")));
+}
 
 inline std::vector<std::string> fieldsOf(const std::string& line) {
   std::vector<std::string> fields(1);
