@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <boost/pending/disjoint_sets.hpp>
 #include <cmath>
 #include <map>
-#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -213,8 +213,7 @@ class SurfaceCutter {
       cut(t);
     }
     cut_.first.push_back(static_cast<std::uint32_t>(cut_.cuttings.size()));
-    parent_.resize(cut_.cuttings.size());
-    std::iota(parent_.begin(), parent_.end(), 0U);
+    joined_ = boost::disjoint_sets_with_storage<>(cut_.cuttings.size());
     regions == Regions::Connected ? joinOpenBorders() : joinTexels();
     findRegions();
   }
@@ -224,13 +223,15 @@ class SurfaceCutter {
  private:
   /// Fills the cuttings of each region, largest first.
   void findRegions() {
-    std::map<std::uint32_t, std::vector<std::uint32_t>> byRoot;
-    for (std::uint32_t i = 0; i < cut_.cuttings.size(); ++i) byRoot[rootOf(i)].push_back(i);
-    for (auto& [root, region] : byRoot) {
+    std::map<std::size_t, std::size_t> numbers;  // in the order of their first cuttings
+    for (std::uint32_t i = 0; i < cut_.cuttings.size(); ++i) {
+      const std::size_t number = numbers.try_emplace(joined_.find_set(i), cut_.regions.size()).first->second;
+      if (number == cut_.regions.size()) cut_.regions.emplace_back();
+      cut_.regions[number].push_back(i);
+    }
+    for (std::vector<std::uint32_t>& region : cut_.regions)
       std::stable_sort(region.begin(), region.end(),
                        [&](std::uint32_t a, std::uint32_t b) { return cut_.cuttings[a].area > cut_.cuttings[b].area; });
-      cut_.regions.push_back(std::move(region));
-    }
   }
 
   void cut(std::uint32_t number) {
@@ -275,18 +276,7 @@ class SurfaceCutter {
     return pieces.take();
   }
 
-  std::uint32_t rootOf(std::uint32_t cutting) {
-    while (parent_[cutting] != cutting) {
-      parent_[cutting] = parent_[parent_[cutting]];
-      cutting = parent_[cutting];
-    }
-    return cutting;
-  }
-
-  void join(std::uint32_t a, std::uint32_t b) {
-    const std::uint32_t rootA = rootOf(a), rootB = rootOf(b);
-    parent_[std::max(rootA, rootB)] = std::min(rootA, rootB);
-  }
+  bool areJoined(std::uint32_t a, std::uint32_t b) { return joined_.find_set(a) == joined_.find_set(b); }
 
   /// Joins the cuttings in the same texel and in adjacent texels that are on the same or on neighbouring triangles, far
   /// from all slices.
@@ -313,7 +303,7 @@ class SurfaceCutter {
         if (other >= inTexel.size() || (other == texel + 1 && other % columns == 0)) continue;
         for (const std::uint32_t a : inTexel[texel])
           for (const std::uint32_t b : inTexel[other])
-            if (rootOf(a) != rootOf(b) && areBeside(a, b)) join(a, b);
+            if (!areJoined(a, b) && areBeside(a, b)) joined_.union_set(a, b);
       }
   }
 
@@ -326,7 +316,7 @@ class SurfaceCutter {
         if (cut_.isCut[t] || cut_.isCut[other])
           joinOpenBorders(t, other);
         else
-          join(cut_.first[t], cut_.first[other]);
+          joined_.union_set(cut_.first[t], cut_.first[other]);
       }
     }
   }
@@ -353,7 +343,7 @@ class SurfaceCutter {
       for (const std::uint32_t wall : nearWalls) beside.push_back(walls[wall]);
       for (const std::uint32_t near : nearSides) {
         const auto& [b, otherSide] = otherSides[near];
-        if (rootOf(a) != rootOf(b) && haveOpenBorder(side, otherSide, beside, 2 * tolerance_)) join(a, b);
+        if (!areJoined(a, b) && haveOpenBorder(side, otherSide, beside, 2 * tolerance_)) joined_.union_set(a, b);
       }
     }
   }
@@ -384,9 +374,9 @@ class SurfaceCutter {
   double tolerance_;
   Regions regions_;
   CutSurface cut_;
-  std::vector<std::array<bool, 3>> isAtEdge_;  ///< of each cutting, by the opposite corner of the triangle
-  std::vector<bool> isNearSlice_;              ///< of each cutting: whether a slice meets its bounds
-  std::vector<std::uint32_t> parent_;          ///< of each cutting, in the union-find forest of all cuttings
+  std::vector<std::array<bool, 3>> isAtEdge_;   ///< of each cutting, by the opposite corner of the triangle
+  std::vector<bool> isNearSlice_;               ///< of each cutting: whether a slice meets its bounds
+  boost::disjoint_sets_with_storage<> joined_;  ///< cuttings of a region
 };
 
 }  // namespace
