@@ -133,8 +133,9 @@ class BuriedRegions {
   /// The exposed regions of a surface that slices cut.
   std::vector<std::vector<std::uint32_t>> exposedRegions(std::uint32_t surface) const {
     std::vector<std::vector<std::uint32_t>> exposed;
-    for (const Region& region : regions_)
-      if (region.surface == surface && !region.isBuried) exposed.push_back(region.cuttings);
+    // Regions lie in the order of their surfaces.
+    for (const Region& region : std::ranges::equal_range(regions_, surface, {}, &Region::surface))
+      if (!region.isBuried) exposed.push_back(region.cuttings);
     return exposed;
   }
 
