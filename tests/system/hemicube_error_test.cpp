@@ -25,7 +25,7 @@ glm::dvec3 direction(std::mt19937& random) {
   return {std::sqrt(radius2) * std::cos(angle), std::sqrt(radius2) * std::sin(angle), std::sqrt(1 - radius2)};
 }
 
-/// A randomRectangle at a distance of 1 whose front faces the origin, rotated about the line to it and tilted by up to
+/// A rectangle at a distance of 1 whose front faces the origin, rotated about the line to it and tilted by up to
 /// 60 degrees.
 Surface randomRectangle(std::mt19937& random) {
   const auto draw = [&random](double low, double high) {
@@ -42,10 +42,9 @@ Surface randomRectangle(std::mt19937& random) {
 }
 
 /// The form factor of a hemicube over the origin by its definition (Cohen and Greenberg 1985): the sum of the delta
-/// form factors of all pixels whose centre shows the randomRectangle, found with one ray per pixel in double precision.
-double byRays(const Projection& hemicube, const Surface& randomRectangle) {
-  const std::array<glm::dvec3, 3>& corner =
-      randomRectangle.triangles.front().position;  // the first three of four corners
+/// form factors of all pixels whose centre shows the rectangle, found with one ray per pixel in double precision.
+double byRays(const Projection& hemicube, const Surface& rectangle) {
+  const std::array<glm::dvec3, 3>& corner = rectangle.triangles.front().position;  // the first three of four corners
   const glm::dvec3 u = corner[1] - corner[0], v = corner[2] - corner[1], normal = glm::cross(u, v);
   const auto isSeen = [&](const glm::dvec3& ray) {
     const glm::dvec3 hit = glm::dot(corner[0], normal) / glm::dot(ray, normal) * ray;
@@ -99,7 +98,7 @@ TEST_CASE("hemicube counts the pixels that rays count", "[hemicube]") {
   }
 }
 
-// Pixels on the border of a randomRectangle are counted as wholes, which is wrong by about half a pixel either way.
+// Pixels on the border of a rectangle are counted as wholes, which is wrong by about half a pixel either way.
 // Their number grows with R and their light falls with R^2, so that the root mean square of the independent errors
 // falls with R^0.5 / R^2. Over 400 rectangles it is known to 13 % (one standard deviation): the exponent between R = 32
 // and 256 is known to sqrt(2) * 0.13 / ln(8) = 0.09.

@@ -6,6 +6,8 @@
 #include <optional>
 #include <random>
 
+#include "raster/base/cross.h"
+
 using namespace hemitex;
 using radiosity::ChartConflict;
 using radiosity::chartConflicts;
@@ -17,12 +19,10 @@ namespace {
 
 using Points = std::vector<glm::dvec2>;
 
-double cross(const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y * b.x; }
-
 double area(const Points& polygon) {
   double sum = 0;
   for (std::size_t i = 1; i + 1 < polygon.size(); ++i) {
-    sum += cross(polygon[i] - polygon[0], polygon[i + 1] - polygon[0]) / 2;
+    sum += raster::cross(polygon[i] - polygon[0], polygon[i + 1] - polygon[0]) / 2;
   }
   return sum;
 }
@@ -42,7 +42,7 @@ double sharedArea(const ChartTriangle& s, const ChartTriangle& t) {
     Points inside;
     for (std::size_t j = 0; j < shared.size(); ++j) {
       const glm::dvec2 p = shared[j], q = shared[(j + 1) % shared.size()];
-      const double hp = cross(edge, p - a), hq = cross(edge, q - a);
+      const double hp = raster::cross(edge, p - a), hq = raster::cross(edge, q - a);
       if (hp >= 0) inside.push_back(p);
       if ((hp >= 0) != (hq >= 0)) inside.push_back(p + hp / (hp - hq) * (q - p));
     }

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <random>
 
+#include "raster/base/cross.h"
+
 using namespace hemitex::radiosity;
 using Grid = std::array<glm::dvec2, 3>;
 using Rational = boost::multiprecision::cpp_rational;
@@ -63,8 +65,6 @@ double exactShare(const Grid& grid, std::int64_t column, std::int64_t row) {
   return Rational(doubledArea(polygon) / whole).convert_to<double>();
 }
 
-double crossOf(const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y * b.x; }
-
 }  // namespace
 
 TEST_CASE("forEachCell gives the shares of rational arithmetic, cell by cell", "[clipping]") {
@@ -76,7 +76,7 @@ TEST_CASE("forEachCell gives the shares of rational arithmetic, cell by cell", "
     if (trial % 3 == 1) grid[2] = grid[0] + 0.4 * (grid[1] - grid[0]) + 1e-7;  // a sliver
     if (trial % 3 == 2)
       for (glm::dvec2& corner : grid) corner = glm::round(corner);  // corners on lines
-    if (crossOf(grid[1] - grid[0], grid[2] - grid[0]) == 0) continue;
+    if (raster::cross(grid[1] - grid[0], grid[2] - grid[0]) == 0) continue;
     std::array<std::array<double, 8>, 8> shares{};
     forEachCell(grid, [&](std::int64_t column, std::int64_t row, const Piece& piece) {
       shares.at(std::size_t(row)).at(std::size_t(column)) += share(piece);
