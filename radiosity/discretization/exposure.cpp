@@ -134,8 +134,10 @@ class BuriedRegions {
   std::vector<std::vector<std::uint32_t>> exposedRegions(std::uint32_t surface) const {
     std::vector<std::vector<std::uint32_t>> exposed;
     // Regions lie in the order of their surfaces.
-    for (const Region& region : std::ranges::equal_range(regions_, surface, {}, &Region::surface))
-      if (!region.isBuried) exposed.push_back(region.cuttings);
+    const auto isBefore = [](const Region& region, std::uint32_t s) { return region.surface < s; };
+    auto region = std::lower_bound(regions_.begin(), regions_.end(), surface, isBefore);
+    for (; region != regions_.end() && region->surface == surface; ++region)
+      if (!region->isBuried) exposed.push_back(region->cuttings);
     return exposed;
   }
 
