@@ -57,7 +57,6 @@ void requireMemoryOfRun(const radiosity::Scene& scene, const SolveOptions& optio
                             rowBytes(elements, options.solver.rowCacheBytes),
                         options.scene.file.string(), "the run with " + std::to_string(elements) + " elements",
                         "use larger texels or a smaller --row-cache");
-  radiosity::requireSpaceForImages();
 }
 
 radiosity::LightHooks hooksOf(const SolveOptions& options, const reference::RowErrors& errors) {

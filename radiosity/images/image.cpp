@@ -19,9 +19,10 @@ static_assert(std::is_nothrow_move_constructible_v<Image>);
 
 namespace {
 
-/// As imageFunctions. Throws InputError where the module is not found.
-const ImageFunctions& functionsFor(const std::filesystem::path& file) try {
-  return imageFunctions();
+/// As `open`, which opens a module. Throws InputError where the module is not found.
+template <typename Functions>
+const Functions& functionsFor(const std::filesystem::path& file, const Functions& (*open)()) try {
+  return open();
 } catch (const raster::InputError&) {
   throw;
 } catch (const std::runtime_error& error) {
@@ -34,12 +35,11 @@ void throwIfAny(const ImageProblem& problem, const std::filesystem::path& file) 
   if (!problem.problem.empty()) throw raster::InputError(file.string(), 0, problem.problem, problem.advice);
 }
 
-/// Encodes in memory, so that a full disk is detected when the bytes are written, whatever the encoder does. See
-/// ImageFunctions::encode.
-std::vector<unsigned char> encode(const std::filesystem::path& file, const std::string& format,
-                                  const std::string& colourSpace, const ImageSamples& samples) {
+std::vector<unsigned char> encoded(ImageProblem (*ImageEncoders::*encode)(const ImageSamples&,
+                                                                          std::vector<unsigned char>&),
+                                   const ImageSamples& samples, const std::filesystem::path& file) {
   std::vector<unsigned char> bytes;
-  throwIfAny(functionsFor(file).encode(format, colourSpace, samples, bytes), file);
+  throwIfAny((functionsFor(file, imageEncoders).*encode)(samples, bytes), file);
   return bytes;
 }
 
@@ -287,14 +287,14 @@ Image readImage(const std::filesystem::path& file) {
   }
   RowCollector collector(file);
   const auto receive = [&collector](const ImageSamples& rows, int height) { collector.add(rows, height); };
-  throwIfAny(functionsFor(file).read(file.string(), maxPixels, receive), file);
+  throwIfAny(functionsFor(file, imageFunctions).read(file.string(), maxPixels, receive), file);
   return std::move(collector).image();
 }
 
 Image decodeImage(const std::vector<unsigned char>& bytes, const std::filesystem::path& name) {
   RowCollector collector(name);
   const auto receive = [&collector](const ImageSamples& rows, int height) { collector.add(rows, height); };
-  throwIfAny(functionsFor(name).decode(bytes, maxPixels, receive), name);
+  throwIfAny(functionsFor(name, imageFunctions).decode(bytes, maxPixels, receive), name);
   return std::move(collector).image();
 }
 
@@ -308,7 +308,7 @@ std::vector<unsigned char> encodePng(const CodedImage& image, const std::filesys
       samples.codes.push_back(image.isHole[pixel] ? 0 : 255);
     }
   }
-  return encode(file, "png", "sRGB", samples);
+  return encoded(&ImageEncoders::png, samples, file);
 }
 
 void writePng(const std::filesystem::path& file, const Image& image) {
@@ -316,18 +316,17 @@ void writePng(const std::filesystem::path& file, const Image& image) {
 }
 
 void writeExr(const std::filesystem::path& file, const Image& image) {
-  ImageSamples samples{image.width, image.height, 3};
-  samples.values.reserve(3 * image.pixels.size());
+  ChannelImage channels{image.width, image.height, {"R", "G", "B"}, {}};
   for (const glm::dvec3& pixel : image.pixels)
-    for (int band = 0; band < 3; ++band) samples.values.push_back(floatOf(pixel[band], file));
-  writeBytes(file, encode(file, "openexr", "Linear", samples));
+    channels.values.insert(channels.values.end(), {pixel.r, pixel.g, pixel.b});
+  writeExr(file, channels);
 }
 
 void writeExr(const std::filesystem::path& file, const ChannelImage& image) {
   ImageSamples samples{image.width, image.height, static_cast<int>(image.channels.size()), {}, {}, image.channels};
   samples.values.reserve(image.values.size());
   for (const double value : image.values) samples.values.push_back(floatOf(value, file));
-  writeBytes(file, encode(file, "openexr", "Linear", samples));
+  writeBytes(file, encoded(&ImageEncoders::exr, samples, file));
 }
 
 }  // namespace hemitex::radiosity

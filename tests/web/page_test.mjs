@@ -1,4 +1,4 @@
-// node page_test.mjs [LESSON]: opens build/web/hemitex.html from disk in headless Chromium, goes to each lesson (or to
+// node page_test.mjs [--short] [LESSON]: opens build/web/hemitex.html from disk in headless Chromium, goes to each lesson (or to
 // one) by its link and checks it at two sizes of the window, light and dark: canvases are not blank, the page is not
 // wider than the window, no message on the console, no request, no serious finding of axe-core. Screenshots go to
 // build/web/screenshots. Prints the size of the page and the time to the first picture.
@@ -17,6 +17,7 @@
 //                                        that of the environment's HEMITEX, otherwise build/release/bin/hemitex
 //        formFactors(...options)         the form factors that hemitex formfactors writes for the Cornell box
 //        folder                          a folder for files, which is removed after the checks
+//        isShort                         whether to leave out what repeats a check with another example (--short)
 //        answers([[answer, verdict] ...]) gives answers to the question, numbers or labels of options, and checks how
 //                                        the verdicts begin
 import assert from "node:assert/strict";
@@ -39,7 +40,8 @@ const windows = [
   {viewport: {width: 1280, height: 800}, colorScheme: "light"},
   {viewport: {width: 390, height: 844}, colorScheme: "dark"},
 ];
-const only = process.argv[2];
+const isShort = process.argv[2] === "--short";
+const only = process.argv[isShort ? 3 : 2];
 const hemitex = process.env.HEMITEX ?? join(top, "build/release/bin/hemitex");
 
 async function until(condition, what) {
@@ -86,6 +88,7 @@ function toolsOf(page, id, folder) {
     run,
     formFactors,
     folder,
+    isShort,
     answers: (expected) => answers(page, expected),
   };
 }

@@ -1,6 +1,6 @@
 // node draw_suite.mjs SUITE ANSWERS [BROWSER [API]]: draws a suite of test vectors in headless Chromium and writes the
 // item IDs, one folder per vector. API is webgl2 or webgpu. It serves the page, its scripts and the vectors on a port
-// of this machine.
+// of this machine. Exit code: 1 if a vector was not drawn, 124 if the browser asked for nothing for 60 seconds.
 import {spawn} from "node:child_process";
 import {mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync} from "node:fs";
 import {createServer} from "node:http";
@@ -32,13 +32,14 @@ function answer(path) {
 function take(path, body) {
   const [folder, vector, file] = path.split("/");
   if (path === "failures") failures.push(body.toString());
-  if (path === "done") end();
+  if (path === "done") end(failures.length ? 1 : 0);
   if (folder !== "answers") return;
   mkdirSync(join(answers, basename(vector)), {recursive: true});
   writeFileSync(join(answers, basename(vector), basename(file)), body);
 }
 
 const server = createServer(async (request, response) => {
+  silence.refresh();
   const path = decodeURIComponent(new URL(request.url, "http://localhost").pathname.slice(1));
   try {
     if (request.method === "PUT") {
@@ -56,17 +57,23 @@ const server = createServer(async (request, response) => {
 });
 
 let chromium;
+// Chromium starts without a request now and then.
+const silence = setTimeout(() => {
+  failures.push("the browser asked for nothing for 60 seconds");
+  end(124, "SIGKILL");
+}, 60000);
 const profile = mkdtempSync(join(tmpdir(), "hemitex-"));
 
-function end() {
+function end(code, signal) {
+  clearTimeout(silence);
   chromium.removeAllListeners("exit");
   chromium.on("exit", () => {
     // Its child processes may still write there for a moment.
     rmSync(profile, {recursive: true, force: true, maxRetries: 50, retryDelay: 100});
     for (const failure of failures) console.error(failure);
-    process.exit(failures.length ? 1 : 0);
+    process.exit(code);
   });
-  chromium.kill();
+  chromium.kill(signal);
 }
 
 server.listen(0, "127.0.0.1", () => {

@@ -5,6 +5,9 @@
 
 namespace hemitex::radiosity {
 
+namespace {
+
+/// Throws InputError if a limit of the address space leaves too little for the libraries of the module.
 void requireSpaceForImages() {
   // Where the libraries behind OpenImageIO, 430 MB when measured, lack address space, some crash or hang.
   constexpr std::uint64_t needed = std::uint64_t{480} << 20;
@@ -15,12 +18,19 @@ void requireSpaceForImages() {
                              "raise the limit (ulimit -v)");
 }
 
+}  // namespace
+
 const ImageFunctions& imageFunctions() {
   static const void* const functions = [] {
     requireSpaceForImages();
     return moduleSymbol("hemitex_images.so", "hemitexImageFunctions");
   }();
   return *static_cast<const ImageFunctions*>(functions);
+}
+
+const ImageEncoders& imageEncoders() {
+  static const void* const encoders = moduleSymbol("hemitex_image_encoders.so", "hemitexImageEncoders");
+  return *static_cast<const ImageEncoders*>(encoders);
 }
 
 }  // namespace hemitex::radiosity

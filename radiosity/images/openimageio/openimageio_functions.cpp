@@ -184,29 +184,8 @@ ImageProblem decode(const std::vector<unsigned char>& bytes, std::uint64_t maxPi
   return readPixels(input.get(), maxPixels, receive);
 }
 
-ImageProblem encode(const std::string& format, const std::string& colourSpace, const ImageSamples& samples,
-                    std::vector<unsigned char>& bytes) {
-  const bool holdsCodes = !samples.codes.empty();
-  OIIO::ImageSpec spec(samples.width, samples.height, samples.channels,
-                       holdsCodes ? OIIO::TypeDesc::UINT8 : OIIO::TypeDesc::FLOAT);
-  if (!samples.channelNames.empty()) spec.channelnames = samples.channelNames;
-  if (samples.channels == 4) spec.attribute("oiio:UnassociatedAlpha", 1);
-  spec.attribute("oiio:ColorSpace", colourSpace);
-  // Without a date of its own a file takes the time of writing, and equal pixels would not give equal files.
-  spec.attribute("DateTime", "2000:01:01 00:00:00");
-  OIIO::Filesystem::IOVecOutput memory(bytes);
-  const auto output = OIIO::ImageOutput::create(format);
-  if (!output || !output->supports("ioproxy")) return {"cannot be encoded: the module for images lacks " + format, ""};
-  const void* const first =
-      holdsCodes ? static_cast<const void*>(samples.codes.data()) : static_cast<const void*>(samples.values.data());
-  const bool isEncoded = output->set_ioproxy(&memory) && output->open("image." + format, spec) &&
-                         output->write_image(spec.format, first) && output->close();
-  if (!isEncoded) return {"cannot be encoded", ""};
-  return {};
-}
-
 }  // namespace
 }  // namespace hemitex::radiosity
 
 extern "C" __attribute__((visibility("default"))) const hemitex::radiosity::ImageFunctions hemitexImageFunctions = {
-    hemitex::radiosity::read, hemitex::radiosity::decode, hemitex::radiosity::encode};
+    hemitex::radiosity::read, hemitex::radiosity::decode};

@@ -27,9 +27,7 @@ void append(void* bytes, void* data, int size) {
   target.insert(target.end(), first, first + size);
 }
 
-ImageProblem encode(const std::string& format, const std::string&, const ImageSamples& samples,
-                    std::vector<unsigned char>& bytes) {
-  if (format != "png" || samples.codes.empty()) return {"cannot be encoded: this program writes only 8-bit PNG", ""};
+ImageProblem encodePng(const ImageSamples& samples, std::vector<unsigned char>& bytes) {
   const int stride = samples.width * samples.channels;
   if (stbi_write_png_to_func(append, &bytes, samples.width, samples.height, samples.channels, samples.codes.data(),
                              stride) == 0)
@@ -37,11 +35,20 @@ ImageProblem encode(const std::string& format, const std::string&, const ImageSa
   return {};
 }
 
+ImageProblem encodeExr(const ImageSamples&, std::vector<unsigned char>&) {
+  return {"cannot be encoded: this program writes only 8-bit PNG", ""};
+}
+
 }  // namespace
 
 const ImageFunctions& imageFunctions() {
-  static const ImageFunctions functions = {read, decode, encode};
+  static const ImageFunctions functions = {read, decode};
   return functions;
+}
+
+const ImageEncoders& imageEncoders() {
+  static const ImageEncoders encoders = {encodePng, encodeExr};
+  return encoders;
 }
 
 }  // namespace hemitex::radiosity

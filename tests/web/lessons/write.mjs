@@ -20,7 +20,7 @@ function draw(view) {
 }
 `;
 
-export default async function check(page, {ok, equal, value, until, open, address}) {
+export default async function check(page, {ok, equal, value, until, open, address, isShort}) {
   const verdict = /^(Passed|Not yet|\d+ of|Line|there is no|draw|[a-z]\w* must)/;
   const judged = async (what) => {
     await until(async () => verdict.test(await value("result")), `verdict on ${what}`);
@@ -55,6 +55,7 @@ export default async function check(page, {ok, equal, value, until, open, addres
     ok(after.startsWith("Passed: "), `solution ${k}: ${after}`);
     if (k === 12) ok(after.includes("of 90 test vectors"), after);
     if (k === 20) equal(await page.locator(".write .light canvas").count(), 2, "the light by the student and by the core");
+    if (isShort && ![1, 12, 20].includes(k)) continue;
     const solution = await kept();
     for (const [part, instead] of wrongSolutions[k - 1]) {
       ok(solution.includes(part), `the solution of step ${k} has ${part}`);
