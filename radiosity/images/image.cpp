@@ -35,11 +35,9 @@ void throwIfAny(const ImageProblem& problem, const std::filesystem::path& file) 
   if (!problem.problem.empty()) throw raster::InputError(file.string(), 0, problem.problem, problem.advice);
 }
 
-std::vector<unsigned char> encoded(ImageProblem (*ImageEncoders::*encode)(const ImageSamples&,
-                                                                          std::vector<unsigned char>&),
-                                   const ImageSamples& samples, const std::filesystem::path& file) {
+std::vector<unsigned char> encoded(Encoder encode, const ImageSamples& samples, const std::filesystem::path& file) {
   std::vector<unsigned char> bytes;
-  throwIfAny((functionsFor(file, imageEncoders).*encode)(samples, bytes), file);
+  throwIfAny(encode(samples, bytes), file);
   return bytes;
 }
 
@@ -308,7 +306,7 @@ std::vector<unsigned char> encodePng(const CodedImage& image, const std::filesys
       samples.codes.push_back(image.isHole[pixel] ? 0 : 255);
     }
   }
-  return encoded(&ImageEncoders::png, samples, file);
+  return encoded(functionsFor(file, imageEncoders).png, samples, file);
 }
 
 void writePng(const std::filesystem::path& file, const Image& image) {
@@ -326,7 +324,7 @@ void writeExr(const std::filesystem::path& file, const ChannelImage& image) {
   ImageSamples samples{image.width, image.height, static_cast<int>(image.channels.size()), {}, {}, image.channels};
   samples.values.reserve(image.values.size());
   for (const double value : image.values) samples.values.push_back(floatOf(value, file));
-  writeBytes(file, encoded(&ImageEncoders::exr, samples, file));
+  writeBytes(file, encoded(functionsFor(file, imageEncoders).exr, samples, file));
 }
 
 }  // namespace hemitex::radiosity

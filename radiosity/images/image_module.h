@@ -39,14 +39,14 @@ struct ImageFunctions {
   ImageProblem (*decode)(const std::vector<unsigned char>& bytes, std::uint64_t maxPixels, const RowReceiver& receive);
 };
 
-/// What the module exports under the name `hemitexImageEncoders`. The functions encode in memory, so that a full disk
-/// is detected when the bytes are written, whatever the encoder does. Equal samples give equal bytes. They throw
-/// nothing but std::bad_alloc.
+/// Encodes in memory, so that a full disk is detected when the bytes are written, whatever the encoder does. Equal
+/// samples give equal bytes. Throws nothing but std::bad_alloc.
+using Encoder = ImageProblem (*)(const ImageSamples& samples, std::vector<unsigned char>& bytes);
+
+/// What the module exports under the name `hemitexImageEncoders`.
 struct ImageEncoders {
-  /// A PNG file of `codes` in 3 channels, or in 4 with alpha.
-  ImageProblem (*png)(const ImageSamples& samples, std::vector<unsigned char>& bytes);
-  /// An EXR file of `values` in any number of named channels, with 32 bits each.
-  ImageProblem (*exr)(const ImageSamples& samples, std::vector<unsigned char>& bytes);
+  Encoder png;  ///< of `codes` in 3 channels, or in 4 with alpha
+  Encoder exr;  ///< of `values` in any number of named channels, with 32 bits each
 };
 
 /// Opens the module that reads at the first call. Throws std::runtime_error where it is not found, and InputError if a
