@@ -151,7 +151,7 @@ Image gatheredView(const RenderOptions& options, const Subject& subject, Console
                                                scene, light.discretization, displayed, subject.camera, width, height));
   radiosity::GatheredPicture picture = radiosity::gatheredPicture(
       scene, light.discretization, light.layout, light.solution, subject.camera, width, height, exposure,
-      radiosity::skyColour(scene.outside.sky, exposure), {},
+      scene.outside.sky * exposure, {},
       {.show = [&](double done) { console.progress(done, "gathering"); }, .isCancelled = nullptr});
   console.endProgress();
   console.message(std::to_string(picture.drawn) + " hemicubes gathered the light of " + std::to_string(picture.pixels) +

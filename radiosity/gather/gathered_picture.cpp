@@ -246,7 +246,7 @@ GatheredPicture gatheredPicture(const Scene& scene, const Discretization& discre
             light = gatherer.colourOf(visible.surface, element, gatherer.lightAt(pixels.placeOf(point, false)));
           }
         }
-        return glm::min(exposure * radiosityAt(scene, discretization, visible, element, *light), glm::dvec3(1));
+        return exposure * radiosityAt(scene, discretization, visible, element, *light);
       },
       background);
   picture.drawn = drawn;
