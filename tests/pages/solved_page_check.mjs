@@ -4,9 +4,11 @@
 // the exposure, and the page fits a telephone. Screenshots go to FOLDER.
 // Exit code 1 with a message if something differs.
 import {execFileSync, spawn} from "node:child_process";
-import {mkdtempSync, readFileSync, rmSync, writeFileSync} from "node:fs";
+import {mkdtempSync, readFileSync, writeFileSync} from "node:fs";
 import {tmpdir} from "node:os";
 import {join, resolve} from "node:path";
+
+import {removeProfile} from "../../web/webgl2/browser_profile.mjs";
 
 const [folder, browser, program] = process.argv.slice(2);
 const page = "file://" + resolve(folder, "report.html");
@@ -356,9 +358,8 @@ try {
   code = 1;
 }
 chromium.removeAllListeners("exit");
-chromium.on("exit", () => {
-  // Its child processes may still write there for a moment.
-  rmSync(profile, {recursive: true, force: true, maxRetries: 20, retryDelay: 100});
+chromium.on("exit", async () => {
+  await removeProfile(profile);
   process.exit(code);
 });
 // The browser ends its child processes itself, unless it hangs.

@@ -2,10 +2,12 @@
 // item IDs, one folder per vector. API is webgl2 or webgpu. It serves the page, its scripts and the vectors on a port
 // of this machine. Exit code: 1 if a vector was not drawn, 124 if the browser asked for nothing for 60 seconds.
 import {spawn} from "node:child_process";
-import {existsSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync} from "node:fs";
+import {mkdirSync, mkdtempSync, readdirSync, readFileSync, writeFileSync} from "node:fs";
 import {createServer} from "node:http";
 import {tmpdir} from "node:os";
 import {basename, dirname, join, normalize} from "node:path";
+
+import {removeProfile} from "./browser_profile.mjs";
 
 const [suite, answers, browser = "chromium", api = "webgl2"] = process.argv.slice(2);
 if (!answers) {
@@ -64,23 +66,11 @@ const silence = setTimeout(() => {
 }, 60000);
 const profile = mkdtempSync(join(tmpdir(), "hemitex-"));
 
-/** Removes the profile, where child processes of the browser may still write for a moment. */
-async function removeProfile() {
-  for (let tries = 0; existsSync(profile); ++tries) {
-    try {
-      rmSync(profile, {recursive: true, force: true});
-    } catch (error) {
-      if (tries === 100) throw error;
-      await new Promise((done) => setTimeout(done, 100));
-    }
-  }
-}
-
 function end(code, signal) {
   clearTimeout(silence);
   chromium.removeAllListeners("exit");
   chromium.on("exit", async () => {
-    await removeProfile();
+    await removeProfile(profile);
     for (const failure of failures) console.error(failure);
     process.exit(code);
   });
