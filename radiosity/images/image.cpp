@@ -116,6 +116,7 @@ glm::dvec3 bilinearIn(const AnyImage& image, const glm::dvec2& uv) {
 
 /// The cell of one period that an image shows at a cell of an axis.
 std::size_t wrappedCell(std::int64_t cell, std::int64_t size, Wrap wrap) {
+  if (cell >= 0 && cell < size) return static_cast<std::size_t>(cell);
   if (wrap == Wrap::Clamp) return static_cast<std::size_t>(std::clamp<std::int64_t>(cell, 0, size - 1));
   const std::int64_t period = wrap == Wrap::Mirror ? 2 * size : size, within = (cell % period + period) % period;
   return static_cast<std::size_t>(within < size ? within : period - 1 - within);
