@@ -82,7 +82,8 @@ TriangleSamples TriangleView::see(const Camera& camera, int width, int height, s
   // A point at x is drawn at x less the shift, and so on. The distance of samples is 2 / resolution.
   face.x -= 2 * shift.x / static_cast<float>(face.resolution) * face.w;
   face.y -= 2 * shift.y / static_cast<float>(face.resolution) * face.w;
-  return {scene_, places_, face, std::move(render(renderer_, {&face, 1}, skipped).front())};
+  raster::draw(renderer_, {&face, 1}, skipped, buffers_);
+  return {scene_, places_, face, buffers_.front()};
 }
 
 std::vector<std::optional<Visible>> TriangleSamples::row(int row, std::span<const std::uint8_t> wanted) const {

@@ -7,7 +7,6 @@
 #include <glm/glm.hpp>
 #include <optional>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "radiosity/pictures/camera.h"
@@ -48,13 +47,13 @@ class TriangleSamples {
  private:
   friend class TriangleView;
   TriangleSamples(const Scene& scene, std::span<const TrianglePlace> places, const raster::Face& face,
-                  raster::ItemBuffer numbers)
-      : scene_(scene), places_(places), face_(face), numbers_(std::move(numbers)) {}
+                  const raster::ItemBuffer& numbers)
+      : scene_(scene), places_(places), face_(face), numbers_(numbers) {}
 
   const Scene& scene_;
   std::span<const TrianglePlace> places_;
   raster::Face face_;
-  raster::ItemBuffer numbers_;  ///< of triangles, row 0 at the bottom
+  const raster::ItemBuffer& numbers_;  ///< of triangles, row 0 at the bottom
 };
 
 /// For several pictures of one scene, which must outlive it.
@@ -63,7 +62,8 @@ class TriangleView {
   explicit TriangleView(const Scene& scene);
 
   /// Only the triangles in `skipped` (numbers in space, ascending) are invisible. `shift` moves the samples to the
-  /// right and up, in distances of samples. The result refers to the view. Throws InputError as cameraFace.
+  /// right and up, in distances of samples. The result refers to the view, and is valid until the next call. Throws
+  /// InputError as cameraFace.
   TriangleSamples see(const Camera& camera, int width, int height, std::span<const std::uint32_t> skipped,
                       const glm::vec2& shift = {});
 
@@ -71,6 +71,7 @@ class TriangleView {
   const Scene& scene_;
   std::vector<TrianglePlace> places_;  ///< of each triangle
   raster::SoftwareRenderer renderer_;
+  std::vector<raster::ItemBuffer> buffers_;  ///< one, whose memory is reused
 };
 
 /// The visible points of all samples, row by row from the top.
