@@ -161,6 +161,7 @@ async function checkContent(page, id) {
 
 async function checkLesson(page, id) {
   const {width, height} = page.viewportSize();
+  const start = Date.now();
   await page.evaluate(() => delete document.querySelector("main").dataset.shown);
   await page.locator(`header a[href="#${id}"]`).click();
   await shown(page, id);
@@ -174,7 +175,8 @@ async function checkLesson(page, id) {
   if (width === windows[0].viewport.width) await checkContent(page, id);
   assert.equal(page.noise.join("\n"), "");
   const content = await page.evaluate(() => document.documentElement.scrollHeight);
-  console.log(`ok ${id} ${width} x ${height}: ${content} pixels high`);
+  const seconds = Math.round((Date.now() - start) / 1000);
+  console.log(`ok ${id} ${width} x ${height}: ${content} pixels high, checked in ${seconds} s`);
 }
 
 mkdirSync(screenshots, {recursive: true});

@@ -58,6 +58,7 @@ export default async function check(page, tools) {
     "colour from the wrong provoking vertex",
   ];
   for (const [k, fault] of faults.entries()) {
+    if (tools.isShort && k % 4 !== 0) continue;
     await open(`task=find&device=${k + 1}`);
     const wrong = await page.getByRole("radio").evaluateAll((all) => all.map((one) => one.value));
     ok(wrong.length === 6 && wrong.includes(fault), `device ${k + 1}`);
