@@ -20,8 +20,9 @@ struct GatheredPicture {
   double error = 0;        ///< of interpolated pixels; see GatheredLight
 };
 
-/// Draws width x height pixels as drawPicture: the radiosity in W/m^2 times `exposure`, in front of `background`. A pixel
-/// is the mean of linear values, also of those above 1, as in a camera: it is white if a small part of it shows a lamp. `layout` is that of the discretization. Throws InputError as drawPicture.
+/// Draws width x height pixels as drawPicture: the radiosity in W/m^2 times `exposure`, in front of `background`. A
+/// pixel is the mean of linear values, also of those above 1, as in a camera: it is white if a small part of it shows a
+/// lamp. `layout` is that of the discretization. Throws InputError as drawPicture.
 GatheredPicture gatheredPicture(const Scene& scene, const Discretization& discretization, const IdLayout& layout,
                                 const Solution& solution, const Camera& camera, int width, int height, double exposure,
                                 const glm::dvec3& background = glm::dvec3(0), const GatherSettings& settings = {},

@@ -1,7 +1,7 @@
-// node page_test.mjs [--short] [LESSON]: opens build/web/hemitex.html from disk in headless Chromium, goes to each lesson (or to
-// one) by its link and checks it at two sizes of the window, light and dark: canvases are not blank, the page is not
-// wider than the window, no message on the console, no request, no serious finding of axe-core. Screenshots go to
-// build/web/screenshots. Prints the size of the page and the time to the first picture.
+// node page_test.mjs [--short] [LESSON]: opens build/web/hemitex.html from disk in headless Chromium, goes to each
+// lesson (or to one) by its link and checks it at two sizes of the window, light and dark: canvases are not blank, the
+// page is not wider than the window, no message on the console, no request, no serious finding of axe-core. Screenshots
+// go to build/web/screenshots. Prints the size of the page, the time to the first picture and that of each lesson.
 //
 // Checks of one lesson are in lessons/ID.mjs: a module with
 //     export default async function check(page, tools) { ... }   // throws where something is wrong

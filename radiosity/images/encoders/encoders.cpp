@@ -10,6 +10,7 @@
 #include <exception>
 #include <new>
 #include <string>
+#include <utility>
 
 #include "radiosity/images/image_module.h"
 
